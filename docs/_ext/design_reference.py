@@ -1,0 +1,90 @@
+"""The reference of design files, from the JSON schema that editors use."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from varistiff.design.spec import json_schema
+
+Schema = dict[str, Any]
+
+PART_TITLES = {
+    "BeamSpec": "The `beam` of a roller beam",
+    "SingleRollerSpec": "`roller`: single_lower, single_upper",
+    "FixedPairSpec": "`roller`: fixed_pair",
+    "SwivellingPairSpec": "`roller`: swivelling_pair",
+    "CircleSpec": "`section`: circle",
+    "HollowCircleSpec": "`section`: hollow_circle",
+    "LeafSpec": "The `leaf` of antagonistic leaves",
+    "CountedLeafSpec": "The `leaf` of a slider leaf joint",
+    "GrooveSpec": "The `groove` of a slider leaf joint",
+}
+
+
+def render() -> str:
+    """Return one section per kind and one per part, each with a table of fields."""
+    schema = json_schema()
+    parts = schema["$defs"]
+    kinds = schema["properties"]["actuator"]["discriminator"]["mapping"]
+    blocks = [section("## The file", schema, parts)]
+    blocks += [section(f"## `kind: {kind}`", parts[_name(target)], parts) for kind, target in kinds.items()]
+    blocks += [
+        section(f"({_anchor(name)})=\n### {title}", parts[name], parts) for name, title in PART_TITLES.items()
+    ]
+    return "\n\n".join(blocks)
+
+
+def section(heading: str, part: Schema, parts: Schema) -> str:
+    """Return heading, description and table of one mapping."""
+    required = part.get("required", [])
+    lines = [
+        heading,
+        "",
+        part.get("description", ""),
+        "",
+        "| field | meaning | written | |",
+        "|---|---|---|---|",
+    ]
+    for field, entry in part["properties"].items():
+        need = "required" if field in required else "optional"
+        meaning = "" if entry.get("examples") and _is_quantity_text(entry) else entry.get("description", "")
+        lines.append(f"| `{field}` | {meaning} | {written(entry, parts)} | {need} |")
+    return "\n".join(lines)
+
+
+def written(entry: Schema, parts: Schema) -> str:
+    """Return how a value is written: choices, an example, or the part that it is."""
+    if "$ref" in entry:
+        return _part(_name(entry["$ref"]), parts)
+    for choice in ("anyOf", "oneOf"):
+        if choice in entry:
+            kept = [written(option, parts) for option in entry[choice] if option.get("type") != "null"]
+            return " or ".join(dict.fromkeys(kept))
+    if "const" in entry:
+        return f"`{entry['const']}`"
+    if "enum" in entry:
+        return " or ".join(f"`{value}`" for value in entry["enum"])
+    if entry.get("examples"):
+        return f"`{entry['examples'][0]}`"
+    return {"string": "text", "integer": "whole number"}.get(entry.get("type", ""), entry.get("type", ""))
+
+
+def _part(name: str, parts: Schema) -> str:
+    if name.endswith("Range"):
+        ends = parts[name]["properties"]
+        return f"`{{min: {ends['min']['examples'][0]}, max: {ends['max']['examples'][0]}}}`"
+    if name in PART_TITLES:
+        return f"[mapping](#{_anchor(name)})"
+    return "one of the kinds below"
+
+
+def _is_quantity_text(entry: Schema) -> bool:
+    return str(entry.get("description", "")).endswith(("above zero", "zero or above", entry["examples"][0]))
+
+
+def _anchor(name: str) -> str:
+    return f"part-{name.lower()}"
+
+
+def _name(reference: str) -> str:
+    return reference.rsplit("/", maxsplit=1)[-1]

@@ -1,0 +1,70 @@
+"""Write the tables that the code already knows, so that no page repeats them by hand."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import api_pages
+import design_reference
+
+from varistiff.core.citations import citations
+from varistiff.core.status import Status
+from varistiff.materials.table import PROPERTIES, builtin_materials
+
+
+def statuses() -> str:
+    """Return the table of statuses with their flag values and remedies."""
+    rows = [f"| {int(status)} | `{status.label}` | {status.meaning} | {status.remedy} |" for status in Status]
+    return "\n".join(["| value | status | meaning | remedy |", "|---|---|---|---|", *rows])
+
+
+def references() -> str:
+    """Return the publications, each with a target to link to."""
+    blocks = []
+    for key, entry in citations().items():
+        link = f" <https://doi.org/{entry.doi}>" if entry.doi else ""
+        text = f"{entry.authors}: *{entry.title}.* {entry.source}, {entry.year}.{link}"
+        blocks.append(f"({key.replace('_', '-')})=\n`{key}`\n: {text}")
+    return "\n\n".join(blocks)
+
+
+def materials() -> str:
+    """Return one table per property that says value and source."""
+    scale = {"density": (1.0, "kg/m³"), "youngs_modulus": (1e-9, "GPa"), "shear_modulus": (1e-9, "GPa")}
+    parts = []
+    for material in builtin_materials().values():
+        rows = []
+        for name in PROPERTIES:
+            entry = getattr(material, name)
+            factor, unit = scale.get(name, (1e-6, "MPa"))
+            value = "not known" if entry is None else f"{entry.value * factor:.6g} {unit}"
+            rows.append(f"| `{name}` | {value} | {'' if entry is None else entry.source} |")
+        head = f"## `{material.key}`\n\n{material.name}\n\n| property | value | source |\n|---|---|---|"
+        parts.append("\n".join([head, *rows]))
+    return "\n\n".join(parts)
+
+
+PAGES: dict[str, Callable[[], str]] = {
+    "statuses": statuses,
+    "references": references,
+    "materials": materials,
+    "design_fields": design_reference.render,
+    **{f"api_{room}": partial(api_pages.render, room) for room in api_pages.ROOMS},
+}
+
+
+def write_all(app: Any) -> None:
+    """Write every table into generated/."""
+    folder = Path(app.srcdir) / "generated"
+    folder.mkdir(exist_ok=True)
+    for name, render in PAGES.items():
+        (folder / f"{name}.md").write_text(render() + "\n", encoding="utf-8")
+
+
+def setup(app: Any) -> dict[str, Any]:
+    """Register with Sphinx."""
+    app.connect("builder-inited", write_all)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,0 +1,27 @@
+"""Draw the mechanisms of the theory pages before Sphinx reads them."""
+
+from __future__ import annotations
+
+import importlib
+import sys
+from pathlib import Path
+from typing import Any
+
+DEVICES = ("roller_beam", "torsion_tube", "antagonistic_leaves", "slider_leaf_joint", "maccepa")
+
+
+def draw_all(app: Any) -> None:
+    """Write one SVG per device into figures/generated."""
+    figures = Path(app.srcdir) / "figures"
+    generated = figures / "generated"
+    generated.mkdir(exist_ok=True)
+    sys.path.insert(0, str(figures))
+    for device in DEVICES:
+        figure = importlib.import_module(device).draw()
+        figure.savefig(generated / f"{device}.svg", metadata={"Date": None})
+
+
+def setup(app: Any) -> dict[str, Any]:
+    """Register with Sphinx."""
+    app.connect("builder-inited", draw_all)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

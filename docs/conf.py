@@ -1,0 +1,40 @@
+"""Sphinx configuration; the pages are Markdown (MyST)."""
+
+from __future__ import annotations
+
+import sys
+from importlib import metadata
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent / "_ext"))
+
+project = "varistiff"
+author = "The varistiff authors"
+copyright = author
+version = release = metadata.version("varistiff")
+
+extensions = [
+    "generated_pages",
+    "mechanism_figures",
+    "myst_parser",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.autosummary",
+    "sphinx.ext.napoleon",
+    "sphinx.ext.viewcode",
+]
+exclude_patterns = ["_build", "generated"]
+
+myst_enable_extensions = ["attrs_block", "colon_fence", "deflist", "dollarmath"]
+myst_heading_anchors = 3
+
+autosummary_generate = True
+autodoc_member_order = "bysource"
+autodoc_typehints = "signature"
+autodoc_default_options = {"members": True, "show-inheritance": True}
+napoleon_google_docstring = False
+napoleon_use_rtype = False
+nitpicky = False  # jaxtyping and pydantic put names into signatures that have no page
+
+html_theme = "furo"
+html_title = f"varistiff {version}"
+html_static_path: list[str] = []

@@ -1,0 +1,65 @@
+"""varistiff: variable stiffness actuators, from a design file to torque, stiffness, energy and a report.
+
+>>> import varistiff
+>>> varistiff.Status.YIELDED.label
+'yielded'
+"""
+
+from __future__ import annotations
+
+import os
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from varistiff.core.errors import InputError
+    from varistiff.core.status import Status
+    from varistiff.design.design import Design, load
+    from varistiff.report.analyse import Analysis
+
+__all__ = ["Design", "InputError", "Status", "__version__", "analyse", "load"]
+
+_HOME = {
+    "Design": "varistiff.design.design",
+    "InputError": "varistiff.core.errors",
+    "Status": "varistiff.core.status",
+    "load": "varistiff.design.design",
+}
+
+
+def analyse(
+    path: str | os.PathLike[str], output: str | os.PathLike[str], *, progress: bool = False
+) -> Analysis:
+    """Do the main job for a design file: map, datasheet, pictures, report and data in the directory ``output``.
+
+    The directory appears whole or not at all; one that exists keeps its other files.
+
+    Raises
+    ------
+    InputError : the design is wrong, or the output cannot be written
+    """
+    from varistiff.core.writing import staged_directory
+    from varistiff.design.design import load
+    from varistiff.report.analyse import analyse
+
+    design = load(path)
+    with staged_directory(output) as directory:
+        return analyse(design, directory, progress=progress)
+
+
+def __getattr__(name: str) -> Any:
+    """Import a public name on first use: the command line must start without JAX."""
+    if name == "__version__":
+        from importlib.metadata import PackageNotFoundError, version
+
+        try:
+            return version("varistiff")
+        except PackageNotFoundError:  # run from a source tree
+            return "0+unknown"
+    if name in _HOME:
+        return getattr(import_module(_HOME[name]), name)
+    raise AttributeError(f"module 'varistiff' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

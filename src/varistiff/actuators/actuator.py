@@ -1,0 +1,90 @@
+"""The base idea: an actuator is its energy."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from typing import ClassVar, NamedTuple
+
+import equinox as eqx
+import jax.numpy as jnp
+from jaxtyping import Array, Bool, Float, Int
+
+from varistiff.core.status import Status
+
+Field = Float[Array, "..."]
+Mask = Bool[Array, "..."]
+
+
+class Response(NamedTuple):
+    """What an actuator answers at points (deflection, setting); every field has their common shape.
+
+    ``load`` is dV/d(deflection), ``stiffness`` d2V/d(deflection)2 (tangent), ``adjusting_load`` dV/d(setting).
+    ``stress`` is the largest in the elastic element, NaN where the kind has none.
+    """
+
+    status: Int[Array, "..."]
+    energy: Field
+    load: Field
+    stiffness: Field
+    adjusting_load: Field
+    stress: Field
+
+
+class Quantity(NamedTuple):
+    """Name for people and SI unit of a number that only some kinds have."""
+
+    long_name: str
+    unit: str
+
+
+class Actuator(eqx.Module):
+    """A variable stiffness actuator: one scalar potential V(deflection, setting) in SI units.
+
+    Final subclasses are frozen parameter sets; they add no state and override nothing but the abstract methods.
+    """
+
+    kind: ClassVar[str]
+    deflection_unit: ClassVar[str]  # "rad" for a joint, "m" for a linear spring
+    references: ClassVar[tuple[str, ...]]  # keys of varistiff.core.citations
+    details: ClassVar[dict[str, Quantity]] = {}
+
+    @property
+    @abstractmethod
+    def setting_unit(self) -> str | None:
+        """SI unit of the setting: "m", "rad", or None for an actuator without one."""
+
+    @abstractmethod
+    def energy(self, deflection: Field, setting: Field) -> Field:
+        """Elastic energy V [J] where a solution exists; differentiable."""
+
+    @abstractmethod
+    def respond(self, deflection: Field, setting: Field) -> tuple[Response, dict[str, Field]]:
+        """Response, and the kind's details by name, at points of one common shape."""
+
+
+def first_status(
+    *,
+    no_solution: Mask,
+    element_too_short: Mask,
+    no_contact: Mask,
+    outside_validity: Mask,
+    yielded: Mask,
+) -> Int[Array, "..."]:
+    """Integer status per point: the first mask that is true, in the order of the contract."""
+    return jnp.select(
+        [no_solution, element_too_short, no_contact, outside_validity, yielded],
+        [
+            jnp.int8(Status.NO_SOLUTION),
+            jnp.int8(Status.ELEMENT_TOO_SHORT),
+            jnp.int8(Status.NO_CONTACT),
+            jnp.int8(Status.OUTSIDE_VALIDITY),
+            jnp.int8(Status.YIELDED),
+        ],
+        jnp.int8(Status.OK),
+    )
+
+
+def blank(status: Int[Array, "..."], value: Field, *, extra_nan: Mask | bool = False) -> Field:
+    """Hold a number to its status: NaN where none exists, exactly 0 without contact, itself elsewhere."""
+    missing = (status == Status.NO_SOLUTION) | (status == Status.ELEMENT_TOO_SHORT) | extra_nan
+    return jnp.where(missing, jnp.nan, jnp.where(status == Status.NO_CONTACT, 0.0, value))

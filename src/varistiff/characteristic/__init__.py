@@ -1,0 +1,1 @@
+"""What an actuator answers over deflection and setting: points, maps and the datasheet."""

@@ -1,0 +1,448 @@
+"""The datasheet: what an engineer asks first about an actuator, read off its characteristic map.
+
+Everything is counted over the points of the map, so every limit is as fine as the map: the true one lies within
+one step of the grid. A number that the map cannot give is None and its note says why.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import xarray as xr
+
+from varistiff.core.status import Status
+
+Array = npt.NDArray[np.float64]
+Mask = npt.NDArray[np.bool_]
+LIMIT_SETTINGS = 7  # rows of the table of limits: enough to see the trend, few enough to read
+
+
+@dataclass(frozen=True)
+class Row:
+    """One number of the datasheet in SI units; ``value`` is None where the map has none."""
+
+    key: str
+    label: str
+    value: float | None
+    unit: str
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Group:
+    """Rows that belong together, under one title."""
+
+    key: str
+    title: str
+    rows: tuple[Row, ...]
+
+
+@dataclass(frozen=True)
+class Limit:
+    """How far one setting goes: the last ok deflection on the side that ends first, and what ends it.
+
+    ``status`` is None where nothing but the edge of the map ends it; ``deflection`` is None without any ok point.
+    """
+
+    setting: float | None
+    stiffness: float | None
+    deflection: float | None
+    load: float | None
+    status: Status | None
+
+
+@dataclass(frozen=True)
+class StatusCount:
+    """Number and fraction of the map's points with one status."""
+
+    status: Status
+    count: int
+    fraction: float
+
+
+@dataclass(frozen=True)
+class Datasheet:
+    """Rows in groups, the limits per setting, and how many points have which status."""
+
+    name: str
+    kind: str
+    groups: tuple[Group, ...]
+    limits: tuple[Limit, ...]
+    statuses: tuple[StatusCount, ...]
+    units: dict[str, str]
+
+    @property
+    def rows(self) -> Iterator[Row]:
+        """All rows, group after group."""
+        return (row for group in self.groups for row in group.rows)
+
+    def __getitem__(self, key: str) -> Row:
+        """Row by its key."""
+        for row in self.rows:
+            if row.key == key:
+                return row
+        raise KeyError(f"{key!r}; the datasheet has {', '.join(row.key for row in self.rows)}")
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain values for JSON: SI units, None for what is not known."""
+        return {
+            "name": self.name,
+            "kind": self.kind,
+            "units": self.units,
+            "groups": [asdict(group) for group in self.groups],
+            "limits": [
+                {**asdict(limit), "status": limit.status.label if limit.status is not None else None}
+                for limit in self.limits
+            ],
+            "statuses": [
+                {
+                    "status": entry.status.label,
+                    "count": entry.count,
+                    "fraction": entry.fraction,
+                    "meaning": entry.status.meaning,
+                    "remedy": entry.status.remedy,
+                }
+                for entry in self.statuses
+            ],
+        }
+
+    def as_csv(self) -> str:
+        """Table ``group,key,label,value,unit,note``; the limits and statuses follow as rows of their own."""
+        text = io.StringIO()
+        table = csv.writer(text, lineterminator="\n")
+        table.writerow(["group", "key", "label", "value", "unit", "note"])
+        for group in self.groups:
+            for row in group.rows:
+                table.writerow([group.key, row.key, row.label, _cell(row.value), row.unit, row.note])
+        for limit in self.limits:
+            ends = limit.status.label if limit.status is not None else "edge of the map"
+            at = "" if limit.setting is None else f"setting {limit.setting:.6g} {self.units['setting']}; "
+            for key, value in (
+                ("deflection", limit.deflection),
+                ("load", limit.load),
+                ("stiffness", limit.stiffness),
+            ):
+                note = at + ("at zero deflection" if key == "stiffness" else f"ended by {ends}")
+                table.writerow(
+                    ["limits", f"limit_{key}", f"Limit: {key}", _cell(value), self.units[key], note]
+                )
+        for entry in self.statuses:
+            label = entry.status.label
+            table.writerow(
+                ["statuses", f"count_{label}", f"Points {label}", entry.count, "1", entry.status.remedy]
+            )
+        return text.getvalue()
+
+
+def datasheet(dataset: xr.Dataset) -> Datasheet:
+    """Read the datasheet off a characteristic map.
+
+    Parameters
+    ----------
+    dataset : map with dims (setting, deflection), or (deflection,) for a kind without a setting; the attribute
+        ``strength`` [Pa], where present, is what ``stress`` is held against
+
+    Energy capacity is V minus the least V of the same setting in the map, over the ok points.
+    """
+    table = _Table.of(dataset)
+    groups = (
+        Group("stiffness", "Stiffness (tangent)", tuple(_stiffness_rows(table))),
+        Group("load", "Load and deflection", tuple(_load_rows(table))),
+        Group("energy", "Energy", tuple(_energy_rows(table))),
+        Group("adjusting", "Stiffness adjustment", tuple(_adjusting_rows(table))),
+        Group("strength", "Strength", tuple(_strength_rows(table))),
+        Group("validity", "Validity", tuple(_validity_rows(table))),
+    )
+    return Datasheet(
+        name=str(dataset.attrs.get("title", "")),
+        kind=str(dataset.attrs.get("kind", "")),
+        groups=tuple(group for group in groups if group.rows),
+        limits=tuple(_limits(table)),
+        statuses=tuple(_counts(table.status)),
+        units=table.units,
+    )
+
+
+@dataclass(frozen=True)
+class _Table:
+    """The map as plain arrays of shape (setting, deflection); one row where the kind has no setting."""
+
+    deflection: Array
+    setting: Array | None
+    status: npt.NDArray[np.int8]
+    energy: Array
+    load: Array
+    stiffness: Array
+    adjusting: Array | None
+    stress: Array | None
+    strength: float | None
+    load_name: str
+    adjusting_name: str
+    units: dict[str, str]
+
+    @staticmethod
+    def of(dataset: xr.Dataset) -> _Table:
+        load_name = "torque" if "torque" in dataset else "force"
+        adjusting_name = "adjusting_torque" if "adjusting_torque" in dataset else "adjusting_force"
+        setting = np.asarray(dataset["setting"].values, float) if "setting" in dataset.dims else None
+
+        def values(name: str) -> Array:
+            return np.atleast_2d(np.asarray(dataset[name].values, float))
+
+        def optional(name: str) -> Array | None:
+            return values(name) if name in dataset and np.isfinite(dataset[name].values).any() else None
+
+        def unit(name: str) -> str:
+            return str(dataset[name].attrs.get("units", "")) if name in dataset.variables else ""
+
+        strength = float(dataset.attrs.get("strength", math.inf))
+        names = {"deflection": "deflection", "setting": "setting", "load": load_name, "energy": "energy"}
+        names |= {"stiffness": "stiffness", "adjusting": adjusting_name, "stress": "stress"}
+        return _Table(
+            deflection=np.asarray(dataset["deflection"].values, float),
+            setting=setting,
+            status=np.atleast_2d(np.asarray(dataset["status"].values)).astype(np.int8),
+            energy=values("energy"),
+            load=values(load_name),
+            stiffness=values("stiffness"),
+            adjusting=optional(adjusting_name) if setting is not None else None,
+            stress=optional("stress"),
+            strength=strength if math.isfinite(strength) and strength > 0.0 else None,
+            load_name=load_name,
+            adjusting_name=adjusting_name,
+            units={key: unit(name) for key, name in names.items()},
+        )
+
+    @property
+    def ok(self) -> Mask:
+        return np.asarray(self.status == Status.OK)
+
+    @property
+    def rest(self) -> int:
+        """Column of the deflection nearest to zero."""
+        return int(np.argmin(np.abs(self.deflection)))
+
+    def where(self, index: tuple[int, int]) -> str:
+        """Place of a point, in the units that people read."""
+        text = f"at deflection {_spoken(self.deflection[index[1]], self.units['deflection'])}"
+        if self.setting is not None:
+            text += f", setting {_spoken(self.setting[index[0]], self.units['setting'])}"
+        return text
+
+
+def _spoken(value: float, unit: str) -> str:
+    factor, name = {"rad": (180.0 / math.pi, "deg"), "m": (1e3, "mm")}.get(unit, (1.0, unit))
+    return f"{value * factor:.4g} {name}"
+
+
+def _cell(value: float | None) -> str:
+    return "" if value is None else format(value, ".17g")
+
+
+def _extreme(values: Array, mask: Mask, *, largest: bool = True) -> tuple[int, int] | None:
+    """Index of the largest (or smallest) finite value under a mask; None where there is none."""
+    usable = mask & np.isfinite(values)
+    if not usable.any():
+        return None
+    keyed = np.where(usable, values if largest else -values, -np.inf)
+    row, column = np.unravel_index(int(np.argmax(keyed)), keyed.shape)
+    return int(row), int(column)
+
+
+def _stiffness_rows(table: _Table) -> Iterator[Row]:
+    at_rest = np.zeros_like(table.ok)
+    at_rest[:, table.rest] = True
+    zero = table.deflection[table.rest]
+    place = (
+        "at zero deflection"
+        if zero == 0.0
+        else f"at {_spoken(zero, table.units['deflection'])}, nearest to zero"
+    )
+    settings = table.status.shape[0]
+    usable = int((at_rest & table.ok).sum())
+    if usable == 0:
+        scope = f"no point {place} is ok"
+    elif table.setting is None:
+        scope = ""
+    else:
+        scope = f"over {usable} of {settings} settings, those with status ok"
+    yield from _range_rows(table, at_rest & table.ok, "rest", place, scope)
+    yield from _range_rows(table, table.ok, "ok", "over all ok points", "")
+
+
+def _range_rows(table: _Table, mask: Mask, key: str, place: str, scope: str) -> Iterator[Row]:
+    unit = table.units["stiffness"]
+    low, high = (_extreme(table.stiffness, mask, largest=largest) for largest in (False, True))
+    if low is None or high is None:
+        yield Row(f"stiffness_{key}_min", f"Smallest stiffness {place}", None, unit, scope or "no ok point")
+        yield Row(f"stiffness_{key}_max", f"Largest stiffness {place}", None, unit, scope or "no ok point")
+        return
+    least, most = float(table.stiffness[low]), float(table.stiffness[high])
+    notes = ["; ".join(part for part in (table.where(index), scope) if part) for index in (low, high)]
+    yield Row(f"stiffness_{key}_min", f"Smallest stiffness {place}", least, unit, notes[0])
+    yield Row(f"stiffness_{key}_max", f"Largest stiffness {place}", most, unit, notes[1])
+    note = "" if least > 0.0 else "the smallest stiffness is not positive"
+    yield Row(
+        f"stiffness_{key}_ratio", f"Range ratio {place}", most / least if least > 0.0 else None, "1", note
+    )
+
+
+def _load_rows(table: _Table) -> Iterator[Row]:
+    name = table.load_name
+    peak = _extreme(np.abs(table.load), table.ok)
+    if peak is None:
+        yield Row(f"{name}_peak", f"Largest {name}", None, table.units["load"], "no ok point")
+        return
+    yield Row(
+        f"{name}_peak",
+        f"Largest {name}",
+        abs(float(table.load[peak])),
+        table.units["load"],
+        table.where(peak),
+    )
+    # a row without an ok point has no limit at all: it must not hide the others
+    limits = (_limit(table, row) for row in range(table.status.shape[0]))
+    ends = [limit for limit in limits if limit.deflection is not None]
+    if ends:
+        shortest, longest = (f(ends, key=lambda limit: abs(limit.deflection or 0.0)) for f in (min, max))
+        for key, label, limit in (("min", "Shortest", shortest), ("max", "Longest", longest)):
+            note = limit.status.label if limit.status is not None else "edge of the map"
+            if limit.setting is not None:
+                note = f"at setting {_spoken(limit.setting, table.units['setting'])}; ended by {note}"
+            else:
+                note = f"ended by {note}"
+            value = abs(limit.deflection or 0.0)
+            yield Row(
+                f"deflection_limit_{key}", f"{label} deflection range", value, table.units["deflection"], note
+            )
+    yield from _play_row(table)
+
+
+def _play_row(table: _Table) -> Iterator[Row]:
+    free = table.status == Status.NO_CONTACT
+    if not free.any() or table.deflection.size < 2:
+        return
+    step = np.gradient(table.deflection)
+    play = (free * step).sum(axis=1)
+    row = int(np.argmax(play))
+    note = (
+        "" if table.setting is None else f"at setting {_spoken(table.setting[row], table.units['setting'])}"
+    )
+    yield Row("play", "Largest range without contact", float(play[row]), table.units["deflection"], note)
+
+
+def _energy_rows(table: _Table) -> Iterator[Row]:
+    unit = table.units["energy"]
+    known = np.isfinite(table.energy)
+    rest = np.where(known.any(axis=1), np.where(known, table.energy, np.inf).min(axis=1), np.nan)
+    stored = table.energy - rest[:, None]
+    peak = _extreme(stored, table.ok)
+    if peak is None:
+        yield Row("energy_capacity", "Energy capacity", None, unit, "no ok point")
+        return
+    note = f"V minus V at rest, {table.where(peak)}"
+    yield Row("energy_capacity", "Energy capacity", float(stored[peak]), unit, note)
+    preload = _extreme(rest[:, None], table.ok.any(axis=1)[:, None])
+    if preload is not None and rest[preload[0]] > 1e-9 * max(float(stored[peak]), 1e-300):
+        at = (
+            ""
+            if table.setting is None
+            else f"at setting {_spoken(table.setting[preload[0]], table.units['setting'])}"
+        )
+        yield Row("energy_rest", "Largest energy stored at rest", float(rest[preload[0]]), unit, at)
+
+
+def _adjusting_rows(table: _Table) -> Iterator[Row]:
+    if table.adjusting is None:
+        return
+    name = table.adjusting_name
+    label = f"Largest {name.replace('_', ' ')}"
+    peak = _extreme(np.abs(table.adjusting), table.ok)
+    if peak is None:
+        yield Row(f"{name}_peak", label, None, table.units["adjusting"], "no ok point")
+        return
+    value = float(table.adjusting[peak])
+    way = (
+        "the drive pushes to larger settings" if value > 0.0 else "the drive holds back from larger settings"
+    )
+    yield Row(f"{name}_peak", label, abs(value), table.units["adjusting"], f"{table.where(peak)}; {way}")
+
+
+def _strength_rows(table: _Table) -> Iterator[Row]:
+    if table.stress is None:
+        return
+    unit = table.units["stress"]
+    peak = _extreme(table.stress, table.ok)
+    stress = None if peak is None else float(table.stress[peak])
+    yield Row(
+        "stress_peak", "Largest stress", stress, unit, "no ok point" if peak is None else table.where(peak)
+    )
+    if table.strength is None:
+        yield Row(
+            "utilisation", "Utilisation (largest stress / strength)", None, "1", "no yield strength is given"
+        )
+        return
+    yield Row("strength", "Strength that the stress is held against", table.strength, unit)
+    used = None if stress is None else stress / table.strength
+    yield Row("utilisation", "Utilisation (largest stress / strength)", used, "1", "over the ok points")
+
+
+def _validity_rows(table: _Table) -> Iterator[Row]:
+    size = table.status.size
+    count = int(table.ok.sum())
+    yield Row("points", "Points of the map", float(size), "1")
+    yield Row(
+        "points_ok", "Points with status ok", float(count), "1", f"{100.0 * count / size:.3g} % of the map"
+    )
+
+
+def _counts(status: npt.NDArray[np.int8]) -> Iterator[StatusCount]:
+    for entry in Status:
+        count = int((status == entry).sum())
+        if count:
+            yield StatusCount(entry, count, count / status.size)
+
+
+def _limits(table: _Table) -> Iterator[Limit]:
+    rows = table.status.shape[0]
+    for row in np.unique(np.round(np.linspace(0, rows - 1, min(rows, LIMIT_SETTINGS))).astype(int)):
+        yield _limit(table, int(row))
+
+
+def _limit(table: _Table, row: int) -> Limit:
+    """Walk outward from rest through ok points (and play, which ends nothing) until another status appears."""
+    walks = [_walk(table.status[row], table.rest, step) for step in (1, -1)]
+    setting = None if table.setting is None else float(table.setting[row])
+    stiffness = float(table.stiffness[row, table.rest]) if table.ok[row, table.rest] else None
+    reached = [(column, status) for column, status in walks if column is not None]
+    if not reached:
+        ending = next((status for _, status in walks if status is not None), Status.NO_CONTACT)
+        return Limit(setting, stiffness, None, None, ending)
+
+    def far(end: tuple[int, Status | None]) -> float:
+        return abs(float(table.deflection[end[0]]))
+
+    stopped = [end for end in reached if end[1] is not None]
+    column, status = min(stopped, key=far) if stopped else max(reached, key=far)
+    return Limit(setting, stiffness, float(table.deflection[column]), float(table.load[row, column]), status)
+
+
+def _walk(status: npt.NDArray[np.int8], start: int, step: int) -> tuple[int | None, Status | None]:
+    """Last ok column from the start in one direction, and the status that ends the walk (None: the edge)."""
+    last: int | None = None
+    column = start
+    while 0 <= column < status.size:
+        here = Status(int(status[column]))
+        if here is Status.OK:
+            last = column
+        elif here is not Status.NO_CONTACT:
+            return last, here
+        column += step
+    return last, None

@@ -1,0 +1,171 @@
+"""The commands. Everything slow is imported inside them: ``varistiff --help`` answers at once."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Annotated, Optional
+
+import typer
+
+from varistiff.core.errors import InputError
+
+app = typer.Typer(
+    name="varistiff",
+    help="Variable stiffness actuators: from a design file to torque, stiffness, energy and a report.",
+    epilog="Exit status: 0 done, 2 the input is wrong, 1 varistiff itself failed.",
+    no_args_is_help=False,
+    add_completion=False,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+)
+
+DesignFile = Annotated[str, typer.Argument(metavar="DESIGN", help="Design file (YAML).", show_default=False)]
+# typer reads the annotations at run time and Optional is what all its versions understand
+MaterialsFile = Annotated[
+    Optional[str],  # noqa: UP045 - see above
+    typer.Option(
+        "--materials", metavar="FILE", help="Your own materials, in place of the design's materials_file."
+    ),
+]
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        import varistiff
+
+        print(f"varistiff {varistiff.__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def _options(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version and stop.")
+    ] = False,
+) -> None:
+    pass
+
+
+@app.command()
+def analyse(
+    design: DesignFile,
+    output: Annotated[
+        Optional[str],  # noqa: UP045 - see above
+        typer.Option(
+            "--output", "-o", metavar="DIR", help="Directory for the results. [default: DESIGN_analysis]"
+        ),
+    ] = None,
+    materials: MaterialsFile = None,
+) -> None:
+    """Make the map, datasheet, pictures, report and data of a design."""
+    from varistiff.cli.log import warn
+    from varistiff.core.writing import staged_directory
+    from varistiff.design.design import load
+
+    loaded = load(design, materials=materials)
+    warn(loaded)
+    directory = output if output is not None else f"{Path(design).stem}_analysis"
+    with staged_directory(directory) as staged:
+        from varistiff.report.analyse import analyse as run
+
+        analysis = run(loaded, staged, progress=sys.stderr.isatty())
+    summary = analysis.summary
+    for line in [summary] if isinstance(summary, str) else summary:
+        print(line)
+    print(f"Results are in {directory}")
+
+
+@app.command()
+def evaluate(
+    design: DesignFile,
+    points: Annotated[
+        str,
+        typer.Argument(
+            metavar="POINTS", help="CSV file with the columns deflection,setting.", show_default=False
+        ),
+    ],
+    output: Annotated[
+        str,
+        typer.Option("--output", "-o", metavar="OUT", help="CSV file for the results.", show_default=False),
+    ],
+    materials: MaterialsFile = None,
+) -> None:
+    """Compute energy, load, stiffness, adjusting load and stress at points.
+
+    POINTS has the columns deflection and setting in SI units (rad or m); OUT gets one row per point, in order.
+    """
+    from varistiff.cli.log import say_statuses, warn
+    from varistiff.cli.points import read_points
+    from varistiff.cli.table import write_results
+    from varistiff.core.writing import staged_file
+    from varistiff.design.design import load
+
+    loaded = load(design, materials=materials)
+    table = read_points(points, has_setting=loaded.setting_unit is not None)
+    _refuse_overwriting(output, {"the design": design, "the points": points})
+    warn(loaded)
+    if table.ignored:
+        print(f"varistiff: {points}: columns not used: {', '.join(table.ignored)}", file=sys.stderr)
+    with staged_file(output) as stream:
+        statuses = write_results(stream, loaded, table)
+    say_statuses(loaded, statuses)
+
+
+@app.command()
+def validate(
+    designs: Annotated[
+        list[str], typer.Argument(metavar="DESIGN...", help="Design files.", show_default=False)
+    ],
+    materials: MaterialsFile = None,
+) -> None:
+    """Check design files without computing anything."""
+    from varistiff.cli.log import warn
+    from varistiff.design.design import load
+
+    wrong = 0
+    for path in designs:
+        try:
+            loaded = load(path, materials=materials)
+        except InputError as error:
+            wrong += 1
+            print(f"varistiff: {error}", file=sys.stderr)
+            continue
+        warn(loaded)
+        print(f"{loaded.path}: ok: {loaded.name} ({loaded.kind}), hash {loaded.hash[:12]}")
+    if wrong:
+        raise typer.Exit(2)
+
+
+@app.command()
+def schema() -> None:
+    """Print the JSON schema of design files, for editors that complete and check them."""
+    import json
+
+    from varistiff.design.spec import json_schema
+
+    print(json.dumps(json_schema(), indent=2))
+
+
+@app.command("materials")
+def list_materials(
+    materials: MaterialsFile = None,
+    sources: Annotated[bool, typer.Option("--sources", help="Print the source of every value too.")] = False,
+) -> None:
+    """List the materials that a design can name."""
+    from varistiff.cli.table import material_lines
+    from varistiff.materials import builtin_materials, read_materials
+
+    own = read_materials(materials) if materials is not None else {}
+    for line in material_lines([*({**builtin_materials(), **own}).values()], sources=sources):
+        print(line)
+
+
+def _refuse_overwriting(output: str, inputs: dict[str, str]) -> None:
+    for name, path in inputs.items():
+        try:
+            same = Path(output).samefile(path)
+        except (OSError, ValueError):  # the output does not exist yet, or never can: writing it says so
+            same = False
+        if same:
+            raise InputError(f"is {name} itself; choose another --output", file=output)

@@ -1,0 +1,73 @@
+"""Material names become numbers; the numbers become a hash."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping
+from typing import Any
+
+from varistiff.core.errors import InputError
+from varistiff.design.spec import AnyActuatorSpec, LeafSpec, SliderLeafJointSpec, TorsionTubeSpec
+from varistiff.materials import Material, find_material
+
+
+def resolved(spec: AnyActuatorSpec, materials: Mapping[str, Material] | None = None) -> AnyActuatorSpec:
+    """Return the spec with the modulus and yield strength of its material filled in where it gives none.
+
+    Raises
+    ------
+    InputError : unknown material, or one without the modulus that the element needs
+    """
+    if isinstance(spec, TorsionTubeSpec):
+        return spec.model_copy(update=_filled(spec, "shear_modulus", "actuator", materials))
+    for name in ("beam", "leaf"):
+        leaf = getattr(spec, name, None)
+        if isinstance(leaf, LeafSpec):
+            update = _filled(leaf, "youngs_modulus", f"actuator.{name}", materials)
+            return spec.model_copy(update={name: leaf.model_copy(update=update)})
+    return spec
+
+
+def _filled(
+    part: LeafSpec | TorsionTubeSpec, modulus: str, field: str, materials: Mapping[str, Material] | None
+) -> dict[str, float]:
+    if part.material is None:
+        return {}
+    try:
+        material = find_material(part.material, extra=materials)
+    except InputError as error:
+        raise error.located(field=f"{field}.material") from None
+    update: dict[str, float] = {}
+    for name in (modulus, "yield_strength"):
+        known = getattr(material, name)
+        if getattr(part, name) is None and known is not None:
+            update[name] = known.value
+    if modulus not in update and getattr(part, modulus) is None:
+        raise InputError(
+            f"material {part.material} has no known {modulus}; give it here", field=f"{field}.{modulus}"
+        )
+    return update
+
+
+def canonical(spec: AnyActuatorSpec) -> str:
+    """Return a resolved spec as canonical JSON: SI numbers, sorted names, nothing that is absent, no material names."""
+    plain = _plain(spec.model_dump())
+    if isinstance(spec, SliderLeafJointSpec):
+        plain["driven_by"] = spec.driven_by  # a length and an angle of the same number differ
+    return json.dumps(plain, sort_keys=True, separators=(",", ":"), allow_nan=False)
+
+
+def design_hash(spec: AnyActuatorSpec) -> str:
+    """Return the SHA-256 of the canonical spec, in hexadecimal.
+
+    Two files have one hash exactly if every number in SI units is the same: layout, comments, units, the design's name
+    and whether a value was written or came from a material do not matter.
+    """
+    return hashlib.sha256(canonical(spec).encode()).hexdigest()
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _plain(item) for key, item in value.items() if item is not None and key != "material"}
+    return value

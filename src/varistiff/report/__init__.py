@@ -1,0 +1,1 @@
+"""Pictures and documents: what a person reads of a characteristic map."""

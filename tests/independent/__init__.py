@@ -1,0 +1,1 @@
+"""Checks against methods that share no formula with the package."""

@@ -1,0 +1,1 @@
+"""Reference solvers for elastic leaves: nothing here imports the package or uses elliptic integrals."""
