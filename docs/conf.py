@@ -18,6 +18,7 @@ extensions = [
     "mechanism_figures",
     "myst_parser",
     "sphinx.ext.autodoc",
+    "docstrings",
     "sphinx.ext.autosummary",
     "sphinx.ext.napoleon",
     "sphinx.ext.viewcode",

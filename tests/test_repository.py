@@ -1,8 +1,11 @@
-"""The repository keeps its promises to a reader: commands exist, pages are complete, nothing names a machine."""
+"""The repository keeps its promises: commands exist, pages are complete, nothing names a machine."""
 
 from __future__ import annotations
 
+import doctest
 import re
+import shlex
+import shutil
 import tomllib
 from collections.abc import Iterator
 from pathlib import Path
@@ -14,7 +17,7 @@ from varistiff.core.citations import citations
 from varistiff.core.status import Status
 
 TEXT = {".py", ".toml", ".md", ".yaml", ".yml", ".cff", ".txt", ".sh", ".html", ".css", ".json", ".cfg", ""}
-MADE = {".git", ".venv", "results", "_build", "generated", "build", "dist"}
+MADE = {".git", ".venv", ".hypothesis", "results", "_build", "generated", "build", "dist"}
 # a path into somebody's account or temporary folder; a host of a package index or on a private network
 MACHINE = re.compile(
     r"(?<![\w.])/(?:home|root|Users|tmp|work|mnt|private)/\w"
@@ -59,7 +62,10 @@ def test_constraints_are_pins_and_nothing_else(root: Path) -> None:
 
 def test_constraints_pin_every_dependency(root: Path) -> None:
     project = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    wanted = [*project["dependencies"], *(name for extra in project["optional-dependencies"].values() for name in extra)]
+    wanted = [
+        *project["dependencies"],
+        *(name for extra in project["optional-dependencies"].values() for name in extra),
+    ]
     names = {re.split(r"[\[<>=~! ]", item, maxsplit=1)[0].lower() for item in wanted}
     pinned = {line.split("==")[0] for line in (root / "constraints.txt").read_text(encoding="utf-8").splitlines()}
     assert names <= pinned
@@ -78,23 +84,54 @@ def test_make_has_every_target_that_the_documents_name(root: Path) -> None:
     assert named <= targets
 
 
-def python_blocks(page: Path) -> list[str]:
-    return re.findall(r"^```python\n(.*?)^```", page.read_text(encoding="utf-8"), flags=re.MULTILINE | re.DOTALL)
+def blocks(page: Path, language: str) -> list[str]:
+    text = page.read_text(encoding="utf-8")
+    return re.findall(rf"^```{language}\n(.*?)^```", text, flags=re.MULTILINE | re.DOTALL)
 
 
-@pytest.mark.parametrize("page", ["README.md", "docs/tutorial.md", "docs/reference/python.md"])
+@pytest.mark.parametrize("page", ["README.md", "docs/reference/python.md"])
 def test_python_of_a_page_runs(
     root: Path, page: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(root)
-    blocks = python_blocks(root / page)
-    assert blocks
-    exec(compile("\n".join(blocks), page, "exec"), {"__name__": "page"})
+    found = blocks(root / page, "python")
+    assert found
+    exec(compile("\n".join(found), page, "exec"), {"__name__": "page"})
     assert "nan" not in capsys.readouterr().out
 
 
+def test_python_of_the_tutorial_answers_what_it_says(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(root)
+    text = "\n".join(blocks(root / "docs" / "tutorial.md", "pycon"))
+    session = doctest.DocTestParser().get_doctest(text, {}, "tutorial", "docs/tutorial.md", 0)
+    result = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS).run(session)
+    assert result.attempted > 10
+    assert result.failed == 0
+
+
+def test_commands_of_the_tutorial_answer_what_it_says(
+    root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from varistiff.cli.main import main
+
+    page = root / "docs" / "tutorial.md"
+    shutil.copytree(root / "examples", tmp_path / "examples")
+    design = (tmp_path / "examples" / "roller_beam.yaml").read_text(encoding="utf-8")
+    (tmp_path / "no_unit.yaml").write_text(design.replace("194 GPa", "194"), encoding="utf-8")
+    (points,) = [block for block in blocks(page, "text") if block.startswith("deflection,setting")]
+    (tmp_path / "points.csv").write_text(points, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    sessions = blocks(page, "console")
+    assert len(sessions) == 3
+    for session in sessions:
+        command, _, expected = session.partition("\n")
+        main(shlex.split(command.removeprefix("$ varistiff ")))
+        streams = capsys.readouterr()
+        assert streams.out + streams.err == expected
+
+
 def test_readme_shows_five_lines_of_python(root: Path) -> None:
-    (block,) = python_blocks(root / "README.md")
+    (block,) = blocks(root / "README.md", "python")
     assert len([line for line in block.splitlines() if line.strip()]) == 5
 
 
@@ -165,7 +202,7 @@ def test_every_kind_has_a_theory_and_every_status_a_remedy(root: Path) -> None:
 def test_every_command_is_documented(root: Path) -> None:
     from typer.main import get_command
 
-    from varistiff.cli import app
+    from varistiff.cli.app import app
 
     page = (root / "docs" / "reference" / "command_line.md").read_text(encoding="utf-8")
     commands = getattr(get_command(app), "commands", {})

@@ -8,17 +8,25 @@ from varistiff.design.spec import json_schema
 
 Schema = dict[str, Any]
 
-PART_TITLES = {
-    "BeamSpec": "The `beam` of a roller beam",
-    "SingleRollerSpec": "`roller`: single_lower, single_upper",
-    "FixedPairSpec": "`roller`: fixed_pair",
-    "SwivellingPairSpec": "`roller`: swivelling_pair",
-    "CircleSpec": "`section`: circle",
-    "HollowCircleSpec": "`section`: hollow_circle",
-    "LeafSpec": "The `leaf` of antagonistic leaves",
-    "CountedLeafSpec": "The `leaf` of a slider leaf joint",
-    "GrooveSpec": "The `groove` of a slider leaf joint",
+PARTS = {  # heading, and what a table calls it
+    "BeamSpec": ("The `beam` of a roller beam", "beam"),
+    "SingleRollerSpec": ("`roller`: single_lower, single_upper", "single roller"),
+    "FixedPairSpec": ("`roller`: fixed_pair", "fixed pair"),
+    "SwivellingPairSpec": ("`roller`: swivelling_pair", "swivelling pair"),
+    "CircleSpec": ("`section`: circle", "circle"),
+    "HollowCircleSpec": ("`section`: hollow_circle", "hollow circle"),
+    "LeafSpec": ("The `leaf` of antagonistic leaves", "leaf"),
+    "CountedLeafSpec": ("The `leaf` of a slider leaf joint", "leaf"),
+    "GrooveSpec": ("The `groove` of a slider leaf joint", "groove"),
 }
+MEANINGS = {  # of fields that say enough by their name to a schema, but not to a table
+    "kind": "chooses the model",
+    "actuator": "the device",
+    "deflection": "range of the map",
+    "spring_rate": "of the cable's spring",
+    "stiffness": "of the spring",
+}
+SHARED_PAGE = {"series_elastic": "series_elastic_and_maccepa", "maccepa": "series_elastic_and_maccepa"}
 
 
 def render() -> str:
@@ -27,10 +35,10 @@ def render() -> str:
     parts = schema["$defs"]
     kinds = schema["properties"]["actuator"]["discriminator"]["mapping"]
     blocks = [section("## The file", schema, parts)]
-    blocks += [section(f"## `kind: {kind}`", parts[_name(target)], parts) for kind, target in kinds.items()]
-    blocks += [
-        section(f"({_anchor(name)})=\n### {title}", parts[name], parts) for name, title in PART_TITLES.items()
-    ]
+    for kind, target in kinds.items():
+        blocks.append(section(f"## `kind: {kind}`", parts[_name(target)], parts))
+        blocks.append(f"[Theory, statuses, signs](theory/{SHARED_PAGE.get(kind, kind)}.md)")
+    blocks += [section(f"({_anchor(name)})=\n### {PARTS[name][0]}", parts[name], parts) for name in PARTS]
     return "\n\n".join(blocks)
 
 
@@ -48,7 +56,7 @@ def section(heading: str, part: Schema, parts: Schema) -> str:
     for field, entry in part["properties"].items():
         need = "required" if field in required else "optional"
         meaning = "" if entry.get("examples") and _is_quantity_text(entry) else entry.get("description", "")
-        lines.append(f"| `{field}` | {meaning} | {written(entry, parts)} | {need} |")
+        lines.append(f"| `{field}` | {meaning or MEANINGS.get(field, '')} | {written(entry, parts)} | {need} |")
     return "\n".join(lines)
 
 
@@ -73,8 +81,8 @@ def _part(name: str, parts: Schema) -> str:
     if name.endswith("Range"):
         ends = parts[name]["properties"]
         return f"`{{min: {ends['min']['examples'][0]}, max: {ends['max']['examples'][0]}}}`"
-    if name in PART_TITLES:
-        return f"[mapping](#{_anchor(name)})"
+    if name in PARTS:
+        return f"[{PARTS[name][1]}](#{_anchor(name)})"
     return "one of the kinds below"
 
 

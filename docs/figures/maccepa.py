@@ -17,9 +17,7 @@ def draw() -> Figure:
     axes.plot(*np.transpose([(0, 0), tip]), color=DRIVE, linewidth=3, solid_capstyle="round")
     axes.plot(*np.transpose([tip, hook]), color=MUTED, linewidth=1.4)
     along = np.linspace(0.05, 0.38, 120)
-    axes.plot(
-        anchor + along, 0.07 + 0.035 * np.sin(np.linspace(0, 18 * np.pi, 120)), color=ELASTIC, linewidth=1.4
-    )
+    axes.plot(anchor + along, 0.07 + 0.035 * np.sin(np.linspace(0, 18 * np.pi, 120)), color=ELASTIC, linewidth=1.4)
     axes.plot([anchor, anchor + 0.05], [0.0, 0.07], color=MUTED, linewidth=1.4)
     joint(axes, (0, 0), 0.035)
     joint(axes, tip, 0.02)

@@ -55,9 +55,7 @@ def dimension(axes: Axes, start: Point, end: Point, text: str, *, offset: Point 
     _include(axes, start, end, middle)
 
 
-def arrow(
-    axes: Axes, start: Point, end: Point, text: str, *, color: str = RIGID, offset: Point = (0.0, 0.0)
-) -> None:
+def arrow(axes: Axes, start: Point, end: Point, text: str, *, color: str = RIGID, offset: Point = (0.0, 0.0)) -> None:
     """Draw an arrow from start to end with its symbol at the tip, moved by offset."""
     style = {"arrowstyle": "-|>", "color": color, "shrinkA": 0, "shrinkB": 0, "linewidth": 1.6}
     axes.annotate("", xy=end, xytext=start, arrowprops=style)
@@ -70,9 +68,7 @@ def angle(
     axes: Axes, centre: Point, radius: float, start: float, end: float, text: str, *, reach: float = 1.18
 ) -> None:
     """Draw an arc from start to end [rad] round centre with its symbol just outside."""
-    axes.add_patch(
-        Arc(centre, 2 * radius, 2 * radius, theta1=np.degrees(start), theta2=np.degrees(end), color=MUTED)
-    )
+    axes.add_patch(Arc(centre, 2 * radius, 2 * radius, theta1=np.degrees(start), theta2=np.degrees(end), color=MUTED))
     middle = (start + end) / 2
     place = np.asarray(centre) + reach * radius * np.array([np.cos(middle), np.sin(middle)])
     axes.text(*place, text, ha="center", va="center", **LABEL)

@@ -27,24 +27,23 @@ _HOME = {
 }
 
 
-def analyse(
-    path: str | os.PathLike[str], output: str | os.PathLike[str], *, progress: bool = False
-) -> Analysis:
-    """Do the main job for a design file: map, datasheet, pictures, report and data in the directory ``output``.
+def analyse(path: str | os.PathLike[str], output: str | os.PathLike[str], *, progress: bool = False) -> Analysis:
+    """Do the main job for a design file: map, datasheet, pictures, report and data in ``output``.
 
-    The directory appears whole or not at all; one that exists keeps its other files.
+    The directory appears whole or not at all; an earlier result is replaced, anything else is refused.
 
     Raises
     ------
     InputError : the design is wrong, or the output cannot be written
     """
-    from varistiff.core.writing import staged_directory
+    from varistiff.core.writing import check_directory
     from varistiff.design.design import load
-    from varistiff.report.analyse import analyse
 
     design = load(path)
-    with staged_directory(output) as directory:
-        return analyse(design, directory, progress=progress)
+    check_directory(output)
+    from varistiff.report.analyse import analyse
+
+    return analyse(design, output, progress=progress)
 
 
 def __getattr__(name: str) -> Any:

@@ -16,24 +16,26 @@ from numpy.typing import NDArray
 
 from varistiff.actuators import (
     Actuator,
-    AntagonisticLeaves,
     FixedPair,
     Groove,
-    GuidedLeaf,
     LargeDeflection,
-    Leaf,
+    LeafJointTheory,
     Maccepa,
     RollerBeam,
     SeriesElastic,
     SingleLower,
     SingleUpper,
     SliderLeafJoint,
-    SlidingLeaf,
     SmallDeflection,
     SwivellingPair,
     TorsionTube,
-    WrappedLeaf,
 )
+from varistiff.actuators.antagonistic_leaves import AntagonisticLeaves
+from varistiff.elastic.guided_leaf import GuidedLeaf
+from varistiff.elastic.leaf import Leaf
+from varistiff.elastic.leaf_law import LeafLaw
+from varistiff.elastic.sliding_leaf import SlidingLeaf
+from varistiff.elastic.wrapped_leaf import WrappedLeaf
 from varistiff.sections import Circle, HollowCircle
 
 Floats = NDArray[np.float64]
@@ -77,9 +79,9 @@ class Case:
 
     @property
     def reach(self) -> tuple[float, float]:
-        """Largest |deflection| and |setting|: scales of the steps of differences."""
+        """Largest |deflection| and smallest |setting|: scales of the steps of differences."""
         largest = max(abs(end) for region in self.deflections for end in region)
-        return largest, (1.0 if self.setting is None else max(abs(end) for end in self.setting))
+        return largest, (1.0 if self.setting is None else min(abs(end) for end in self.setting))
 
     def place(self, unit: Floats) -> tuple[Floats, Floats]:
         """Points (deflection, setting) of numbers in the unit square, shape (POINTS, 2)."""
@@ -178,7 +180,7 @@ def _torsion_solid(scale: Scale) -> Actuator:
     )
 
 
-def _antagonistic(law: Callable[[float], object]) -> Callable[[Scale], Actuator]:
+def _antagonistic(law: Callable[[float], LeafLaw]) -> Callable[[Scale], Actuator]:
     def build(scale: Scale) -> Actuator:
         size = scale.length
         return AntagonisticLeaves(
@@ -196,7 +198,7 @@ def _antagonistic(law: Callable[[float], object]) -> Callable[[Scale], Actuator]
     return build
 
 
-def _slider(theory: object, driven_by: str) -> Callable[[Scale], Actuator]:
+def _slider(theory: LeafJointTheory, driven_by: str) -> Callable[[Scale], Actuator]:
     def build(scale: Scale) -> Actuator:
         size = scale.length
         return SliderLeafJoint(
@@ -252,8 +254,8 @@ CATALOGUE: tuple[Case, ...] = (
     Case(
         "leaves_wrapped",
         _antagonistic(lambda size: WrappedLeaf(protection_radius=0.035 * size)),
-        ((-0.005, 0.005),),
-        (0.150, 0.173),
+        _both(0.004, 0.013),  # one leaf of a pair lies on the cylinders, the other is free: away from both kinks
+        (0.180, 0.185),
         True,
         True,
     ),

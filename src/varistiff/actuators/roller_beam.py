@@ -9,6 +9,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from varistiff.actuators.actuator import Actuator, Field, Mask, Quantity, Response, blank, first_status
+from varistiff.actuators.compiled import details_at
 from varistiff.actuators.rollers import Bearing, Rollers
 from varistiff.elastic.beam_clearance import beam_clearance
 from varistiff.elastic.leaf import Leaf
@@ -146,13 +147,10 @@ class RollerBeam(Actuator):
 
     def element_shapes(self, deflection: float, setting: float) -> list[np.ndarray]:
         """Deformed centreline of the whole beam in the clamp's frame, shape (N, 2) [m]; straight without contact."""
-        theta, position = jnp.asarray(float(deflection)), jnp.asarray(float(setting))
-        bearing = self._bearing(theta, position)
-        solved = self._contact(theta, position, bearing)
-        state = solved.contact
         drawn = self.beam.length if math.isfinite(self.beam.length) else 1.2 * float(setting)
-        if not (bool(state.touching) and bool(state.exists)):
+        state = details_at(self, deflection, setting)
+        if state is None or state["contact_slope"] == 0.0:
             return [centreline(0.0, drawn)]
-        reach = float(solved.centre[0] * state.cosine + solved.centre[1] * state.sine)
-        tail = max(drawn - float(state.arc_length), 0.0)
-        return [centreline(float(state.slope), reach, tail=tail) * np.array([1.0, float(bearing.side)])]
+        slope, length = state["contact_slope"], state["active_length"]
+        line = centreline(abs(slope), length, tail=max(drawn - length, 0.0))
+        return [line * np.array([1.0, math.copysign(1.0, slope)])]

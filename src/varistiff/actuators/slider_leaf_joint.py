@@ -10,10 +10,11 @@ import jax.numpy as jnp
 import numpy as np
 
 from varistiff.actuators.actuator import Actuator, Field, Mask, Quantity, Response, blank, first_status
+from varistiff.actuators.compiled import details_at
 from varistiff.actuators.groove import Groove
-from varistiff.actuators.leaf_joint_theory import LeafJointState, LeafJointTheory, SmallDeflection
+from varistiff.actuators.leaf_joint_theory import LargeDeflection, LeafJointState, LeafJointTheory, SmallDeflection
 from varistiff.elastic.leaf import Leaf
-from varistiff.elastic.roller_contact import centreline, roller_contact
+from varistiff.elastic.roller_contact import centreline
 
 
 class SliderLeafJoint(Actuator):
@@ -108,11 +109,11 @@ class SliderLeafJoint(Actuator):
             "contact_force": state.force,
             "active_arc_length": state.arc_length,
         }
-        if self.groove is not None and self.driven_by == "disc":
-            adjusting = adjusting * self.groove.active_length_rate(setting)
+        if self.groove is not None:
             details["active_length"] = usable
-        elif self.groove is not None:
             details["disc_angle"] = self.groove.angle(usable)
+            if self.driven_by == "disc":
+                adjusting = adjusting * self.groove.active_length_rate(setting)
         numbers = (state.energy, state.load, state.stiffness, adjusting, stress)
         response = Response(status, *(blank(status, value) for value in numbers))
         return response, {name: blank(status, value) for name, value in details.items()}
@@ -123,17 +124,15 @@ class SliderLeafJoint(Actuator):
         Leaf 0 is clamped at (clamp_radius, 0) and points along +x, the others follow by turns of 2 pi/N. Drawn by
         the exact elastica for either theory, a fifth of the active length beyond the slider where no length is given.
         """
-        length = float(self.active_length(jnp.asarray(float(setting))))
-        radius, turned = self.clamp_radius + length, abs(float(deflection))
-        x, y = radius * math.cos(turned) - self.clamp_radius, radius * math.sin(turned)
-        state = roller_contact(jnp.asarray(x), jnp.asarray(y), jnp.asarray(0.0), jnp.asarray(1.0))
+        exact = eqx.tree_at(lambda joint: joint.theory, self, LargeDeflection())
+        state = details_at(exact, deflection, setting)
+        length = float(setting) if self.groove is None or state is None else state["active_length"]
         drawn = self.leaf.length if math.isfinite(self.leaf.length) else 1.2 * length
-        if bool(state.touching) and bool(state.exists):
-            reach = x * float(state.cosine) + y * float(state.sine)
-            tail = max(drawn - float(state.arc_length), 0.0)
-            line = centreline(float(state.slope), reach, tail=tail)
-        else:
+        if state is None:
             line = centreline(0.0, drawn)
+        else:
+            arc = state["active_arc_length"]
+            line = centreline(abs(state["leaf_rotation"]), arc, tail=max(drawn - arc, 0.0))
         line = line * np.array([1.0, math.copysign(1.0, deflection)]) + np.array([self.clamp_radius, 0.0])
         turns = [2.0 * math.pi * index / self.count for index in range(self.count)]
         return [line @ np.array([[math.cos(a), math.sin(a)], [-math.sin(a), math.cos(a)]]) for a in turns]

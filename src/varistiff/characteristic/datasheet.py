@@ -11,13 +11,16 @@ import io
 import math
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
 from varistiff.core.status import Status
+
+if TYPE_CHECKING:
+    from varistiff.actuators.actuator import Actuator
 
 Array = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
@@ -170,6 +173,20 @@ def datasheet(dataset: xr.Dataset) -> Datasheet:
     )
 
 
+def element_strength(actuator: Actuator) -> float | None:
+    """What ``stress`` of a kind is held against [Pa]: yield in bending, yield/sqrt(3) in torsion (von Mises)."""
+    for name in ("beam", "leaf"):
+        element = getattr(actuator, name, None)
+        if element is not None:
+            return _finite(float(element.yield_strength))
+    tensile = getattr(actuator, "yield_strength", None)
+    return None if tensile is None else _finite(float(tensile) / math.sqrt(3.0))
+
+
+def _finite(value: float) -> float | None:
+    return value if math.isfinite(value) and value > 0.0 else None
+
+
 @dataclass(frozen=True)
 class _Table:
     """The map as plain arrays of shape (setting, deflection); one row where the kind has no setting."""
@@ -202,7 +219,6 @@ class _Table:
         def unit(name: str) -> str:
             return str(dataset[name].attrs.get("units", "")) if name in dataset.variables else ""
 
-        strength = float(dataset.attrs.get("strength", math.inf))
         names = {"deflection": "deflection", "setting": "setting", "load": load_name, "energy": "energy"}
         names |= {"stiffness": "stiffness", "adjusting": adjusting_name, "stress": "stress"}
         return _Table(
@@ -214,7 +230,7 @@ class _Table:
             stiffness=values("stiffness"),
             adjusting=optional(adjusting_name) if setting is not None else None,
             stress=optional("stress"),
-            strength=strength if math.isfinite(strength) and strength > 0.0 else None,
+            strength=_finite(float(dataset.attrs.get("strength", math.inf))),
             load_name=load_name,
             adjusting_name=adjusting_name,
             units={key: unit(name) for key, name in names.items()},
@@ -251,30 +267,51 @@ def _extreme(values: Array, mask: Mask, *, largest: bool = True) -> tuple[int, i
     usable = mask & np.isfinite(values)
     if not usable.any():
         return None
-    keyed = np.where(usable, values if largest else -values, -np.inf)
-    row, column = np.unravel_index(int(np.argmax(keyed)), keyed.shape)
-    return int(row), int(column)
+    keyed = np.where(usable, values if largest else -values, -np.inf)[:, ::-1]  # of equals, the positive deflection
+    best = float(keyed.max())
+    row, column = np.unravel_index(int(np.argmax(keyed >= best - 1e-9 * abs(best))), keyed.shape)
+    return int(row), keyed.shape[1] - 1 - int(column)
 
 
 def _stiffness_rows(table: _Table) -> Iterator[Row]:
-    at_rest = np.zeros_like(table.ok)
-    at_rest[:, table.rest] = True
+    at_rest = _next_to_rest(table)
     zero = table.deflection[table.rest]
-    place = (
-        "at zero deflection"
-        if zero == 0.0
-        else f"at {_spoken(zero, table.units['deflection'])}, nearest to zero"
-    )
-    settings = table.status.shape[0]
-    usable = int((at_rest & table.ok).sum())
-    if usable == 0:
-        scope = f"no point {place} is ok"
-    elif table.setting is None:
-        scope = ""
+    place = "at zero deflection" if zero == 0.0 else f"at {_spoken(zero, table.units['deflection'])}, nearest to zero"
+    usable = int(at_rest.sum())
+    scope = f"no point {place} is ok" if usable == 0 else ""
+    if usable and (table.status[:, table.rest][at_rest.any(axis=1)] == Status.NO_CONTACT).any():
+        scope = "beyond the play"
+    if table.setting is None:
+        value = float(table.stiffness[at_rest][0]) if usable else None
+        yield Row("stiffness_rest", f"Stiffness {place}", value, table.units["stiffness"], scope)
     else:
-        scope = f"over {usable} of {settings} settings, those with status ok"
-    yield from _range_rows(table, at_rest & table.ok, "rest", place, scope)
+        if 0 < usable < table.status.shape[0]:
+            scope = "; ".join(part for part in (scope, f"{usable} of {table.status.shape[0]} settings are ok") if part)
+        yield from _range_rows(table, at_rest, "rest", place, scope)
     yield from _range_rows(table, table.ok, "ok", "over all ok points", "")
+
+
+def _next_to_rest(table: _Table) -> Mask:
+    """Per setting the ok point at zero deflection, or the nearest one beyond the play around it."""
+    chosen = np.zeros_like(table.ok)
+    for row in range(table.status.shape[0]):
+        column = _next_to_rest_column(table, row)
+        if column is not None:
+            chosen[row, column] = True
+    return chosen
+
+
+def _next_to_rest_column(table: _Table, row: int) -> int | None:
+    found = (_first_ok(table.status[row], table.rest, step) for step in (1, -1))
+    columns = [column for column in found if column is not None]
+    return min(columns, key=lambda column: abs(table.deflection[column])) if columns else None
+
+
+def _first_ok(status: npt.NDArray[np.int8], start: int, step: int) -> int | None:
+    column = start
+    while 0 <= column < status.size and status[column] == Status.NO_CONTACT:
+        column += step
+    return column if 0 <= column < status.size and status[column] == Status.OK else None
 
 
 def _range_rows(table: _Table, mask: Mask, key: str, place: str, scope: str) -> Iterator[Row]:
@@ -420,7 +457,8 @@ def _limit(table: _Table, row: int) -> Limit:
     """Walk outward from rest through ok points (and play, which ends nothing) until another status appears."""
     walks = [_walk(table.status[row], table.rest, step) for step in (1, -1)]
     setting = None if table.setting is None else float(table.setting[row])
-    stiffness = float(table.stiffness[row, table.rest]) if table.ok[row, table.rest] else None
+    rest = _next_to_rest_column(table, row)
+    stiffness = None if rest is None else float(table.stiffness[row, rest])
     reached = [(column, status) for column, status in walks if column is not None]
     if not reached:
         ending = next((status for _, status in walks if status is not None), Status.NO_CONTACT)

@@ -4,20 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from functools import lru_cache
-from typing import Any
 
-import equinox as eqx
-import jax
-import jax.numpy as jnp
 import numpy as np
 from numpy.typing import ArrayLike
 
-from varistiff.actuators.actuator import Actuator
+from varistiff.actuators.actuator import Actuator, Response
+from varistiff.actuators.compiled import BLOCK, respond_block
 from varistiff.core.errors import InputError
 from varistiff.core.status import Status
-
-BLOCK = 4096
 
 Progress = Callable[[int, int], None]
 
@@ -43,16 +37,6 @@ class Points:
         """Number of points per status, statuses that occur only."""
         values, numbers = np.unique(self.status, return_counts=True)
         return {Status(int(v)): int(n) for v, n in zip(values, numbers, strict=True)}
-
-
-@lru_cache(maxsize=1)
-def _compiled() -> Callable[..., Any]:
-    return eqx.filter_jit(lambda actuator, deflection, setting: actuator.respond(deflection, setting))
-
-
-def _as_arrays(actuator: Actuator) -> Actuator:
-    """Parameters as arrays, so that another design of the same kind needs no compilation."""
-    return jax.tree.map(lambda leaf: jnp.asarray(leaf) if isinstance(leaf, float) else leaf, actuator)
 
 
 def evaluate(
@@ -81,21 +65,19 @@ def evaluate(
     d, s = _broadcast(actuator, deflection, setting)
     shape, total = d.shape, d.size
     flat_d, flat_s = d.ravel(), s.ravel()
-    solve, parameters = _compiled(), _as_arrays(actuator)
     blocks = []
     for start in range(0, max(total, 1), BLOCK):
         stop = min(start + BLOCK, total)
-        response, details = solve(parameters, _padded(flat_d[start:stop]), _padded(flat_s[start:stop]))
-        blocks.append((stop - start, response, details))
+        blocks.append(respond_block(actuator, flat_d[start:stop], flat_s[start:stop]))
         if progress is not None:
             progress(stop, total)
-
-    def joined(pick: Callable[[Any, Any], Any]) -> np.ndarray:
-        parts = [np.asarray(pick(response, details))[:count] for count, response, details in blocks]
-        return np.concatenate(parts).reshape(shape)
-
-    numbers = {name: joined(lambda r, _, name=name: getattr(r, name)) for name in blocks[0][1]._fields}
-    extra = {name: joined(lambda _, e, name=name: e[name]) for name in blocks[0][2]}
+    numbers = {
+        name: np.concatenate([getattr(response, name) for response, _ in blocks]).reshape(shape)
+        for name in Response._fields
+    }
+    extra = {
+        name: np.concatenate([details[name] for _, details in blocks]).reshape(shape) for name in blocks[0][1]
+    }
     echoed = s if actuator.setting_unit is not None or setting is not None else np.full(shape, np.nan)
     return Points(deflection=d, setting=echoed, details=extra, **numbers)
 
@@ -117,11 +99,3 @@ def _broadcast(
         shapes = " and ".join(f"{name} {values.shape}" for name, values in columns.items())
         raise InputError(f"shapes must broadcast: {shapes}") from None
     return d, s
-
-
-def _padded(values: np.ndarray) -> np.ndarray:
-    """One block, filled up with its last value."""
-    if values.size == BLOCK:
-        return values
-    fill = values[-1] if values.size else 0.0
-    return np.concatenate([values, np.full(BLOCK - values.size, fill)])

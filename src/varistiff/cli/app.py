@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import Annotated, Optional
+from typing import Annotated
 
 import typer
 
@@ -21,12 +21,9 @@ app = typer.Typer(
 )
 
 DesignFile = Annotated[str, typer.Argument(metavar="DESIGN", help="Design file (YAML).", show_default=False)]
-# typer reads the annotations at run time and Optional is what all its versions understand
 MaterialsFile = Annotated[
-    Optional[str],  # noqa: UP045 - see above
-    typer.Option(
-        "--materials", metavar="FILE", help="Your own materials, in place of the design's materials_file."
-    ),
+    str | None,
+    typer.Option("--materials", metavar="FILE", help="Your own materials, in place of the design's materials_file."),
 ]
 
 
@@ -51,27 +48,22 @@ def _options(
 def analyse(
     design: DesignFile,
     output: Annotated[
-        Optional[str],  # noqa: UP045 - see above
-        typer.Option(
-            "--output", "-o", metavar="DIR", help="Directory for the results. [default: DESIGN_analysis]"
-        ),
+        str | None,
+        typer.Option("--output", "-o", metavar="DIR", help="Directory for the results. [default: DESIGN_analysis]"),
     ] = None,
     materials: MaterialsFile = None,
 ) -> None:
-    """Make the map, datasheet, pictures, report and data of a design."""
-    from varistiff.cli.log import warn
-    from varistiff.core.writing import staged_directory
+    """Make map, datasheet, pictures, report and data of a design."""
+    from varistiff.core.writing import check_directory
     from varistiff.design.design import load
 
     loaded = load(design, materials=materials)
-    warn(loaded)
     directory = output if output is not None else f"{Path(design).stem}_analysis"
-    with staged_directory(directory) as staged:
-        from varistiff.report.analyse import analyse as run
+    check_directory(directory)
+    from varistiff.report.analyse import analyse as run
 
-        analysis = run(loaded, staged, progress=sys.stderr.isatty())
-    summary = analysis.summary
-    for line in [summary] if isinstance(summary, str) else summary:
+    analysis = run(loaded, directory, progress=sys.stderr.isatty())
+    for line in analysis.summary:
         print(line)
     print(f"Results are in {directory}")
 
@@ -81,9 +73,7 @@ def evaluate(
     design: DesignFile,
     points: Annotated[
         str,
-        typer.Argument(
-            metavar="POINTS", help="CSV file with the columns deflection,setting.", show_default=False
-        ),
+        typer.Argument(metavar="POINTS", help="CSV file with the columns deflection,setting.", show_default=False),
     ],
     output: Annotated[
         str,
@@ -91,9 +81,9 @@ def evaluate(
     ],
     materials: MaterialsFile = None,
 ) -> None:
-    """Compute energy, load, stiffness, adjusting load and stress at points.
+    """Compute energy, load, stiffness and stress at points.
 
-    POINTS has the columns deflection and setting in SI units (rad or m); OUT gets one row per point, in order.
+    POINTS has the columns deflection and setting in SI units (rad or m); OUT gets one row per point.
     """
     from varistiff.cli.log import say_statuses, warn
     from varistiff.cli.points import read_points
@@ -114,9 +104,7 @@ def evaluate(
 
 @app.command()
 def validate(
-    designs: Annotated[
-        list[str], typer.Argument(metavar="DESIGN...", help="Design files.", show_default=False)
-    ],
+    designs: Annotated[list[str], typer.Argument(metavar="DESIGN...", help="Design files.", show_default=False)],
     materials: MaterialsFile = None,
 ) -> None:
     """Check design files without computing anything."""
@@ -139,7 +127,7 @@ def validate(
 
 @app.command()
 def schema() -> None:
-    """Print the JSON schema of design files, for editors that complete and check them."""
+    """Print the JSON schema of design files, for editors."""
     import json
 
     from varistiff.design.spec import json_schema

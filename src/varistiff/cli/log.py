@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from varistiff.design.design import Design
 
 _BROKEN_ASSUMPTION = {
+    "antagonistic_leaves": "the leaf bends tighter than the protection cylinders where they cannot hold it",
     "roller_beam": "both rollers of the fixed pair would bear on the beam",
     "slider_leaf_joint": "the leaf turns by more than 10 deg, the limit of the small-deflection theory",
 }

@@ -1,7 +1,7 @@
 """Entry point: exit status, one clear line for every failure, and signals. It must import nothing slow.
 
-0 done; 2 the input is wrong (files, fields, options, an output that cannot be written) or the run was interrupted;
-1 varistiff itself failed.
+0 done; 2 the input is wrong (files, fields, options, an output that cannot be written)
+or the run was interrupted; 1 varistiff itself failed.
 """
 
 from __future__ import annotations
@@ -10,14 +10,13 @@ import os
 import signal
 import sys
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from types import FrameType
 
 from varistiff.core.errors import InputError
 
 DONE, FAILED, WRONG_INPUT = 0, 1, 2
-ISSUES = "https://github.com/varistiff/varistiff/issues"
 
 
 class Interrupted(BaseException):
@@ -59,6 +58,8 @@ def _command(arguments: list[str]) -> int:
         return int(error.exit_code)
     except typer.Abort:
         raise Interrupted from None
+    except SystemExit:  # how typer ends when the reader of standard output has gone
+        raise BrokenPipeError from None
     except Exception as error:
         # usage errors by their face: typer brings its own copy of click from version to version
         message = getattr(error, "format_message", None)
@@ -84,17 +85,15 @@ def _failed(error: Exception) -> int:
         traceback.print_exc()
     what = _one_line(f"{type(error).__name__}: {error}")[:200]
     return _say(
-        f"varistiff itself failed ({what}); please report it with the design file at {ISSUES} "
-        "(VARISTIFF_DEBUG=1 shows where it happened)",
+        f"varistiff itself failed ({what}); please report it to the project, with the design "
+        "file and what VARISTIFF_DEBUG=1 shows",
         FAILED,
     )
 
 
 def _say(line: str, status: int) -> int:
-    try:
+    with suppress(OSError):  # nobody can be told
         print(f"varistiff: {_one_line(line)}", file=sys.stderr, flush=True)
-    except OSError:
-        pass  # nobody can be told
     return status
 
 
@@ -105,15 +104,13 @@ def _one_line(text: str) -> str:
 
 def _discard_output() -> None:
     """Let the interpreter's own last flush of standard output succeed."""
-    try:
+    with suppress(OSError, ValueError):  # standard output may be no file, as under a test
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-    except (OSError, ValueError):
-        pass  # standard output is no file, as under a test
 
 
 @contextmanager
 def _signals() -> Iterator[None]:
-    """Turn the first SIGINT or SIGTERM into ``Interrupted`` and ignore later ones, so that cleaning up ends."""
+    """Turn the first SIGINT or SIGTERM into ``Interrupted``; ignore later ones, so that cleaning up ends."""
     watched = (signal.SIGINT, signal.SIGTERM)
 
     def stop(number: int, frame: FrameType | None) -> None:

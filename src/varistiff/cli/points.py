@@ -66,9 +66,7 @@ def _points(text: str, has_setting: bool) -> PointsTable:
     for number, (line, row) in enumerate(rows, start=1):
         if len(row) != len(names):
             cells = "1 cell" if len(row) == 1 else f"{len(row)} cells"
-            raise InputError(
-                f"has {cells}; allowed are {len(names)}, as in the header", field=_row(number, line)
-            )
+            raise InputError(f"has {cells}; allowed are {len(names)}, as in the header", field=_row(number, line))
         deflection.append(_number(row[deflection_column], number, line, "deflection"))
         if setting_column is None or (not has_setting and row[setting_column].strip().lower() in _NO_VALUE):
             setting.append(math.nan)
@@ -82,7 +80,7 @@ def _rows(text: str) -> Iterator[tuple[int, list[str]]]:
     reader = csv.reader(io.StringIO(text, newline=""), strict=True)
     try:
         for row in reader:
-            if row and any(cell.strip() for cell in row[:1]) or len(row) > 1:
+            if len(row) > 1 or (row and row[0].strip()):
                 yield reader.line_num, row
     except csv.Error as error:
         raise InputError(f"is not CSV: {error}", field=f"line {reader.line_num}") from None
@@ -95,9 +93,7 @@ def _column(names: list[str], wanted: str, header: list[str]) -> int:
     if count > 1:
         raise InputError(f"the column {wanted} is there {count} times; allowed is once", field="header")
     if len(header) == 1 and (";" in header[0] or "\t" in header[0]):
-        raise InputError(
-            "the columns are not separated by commas; allowed: deflection,setting", field="header"
-        )
+        raise InputError("the columns are not separated by commas; allowed: deflection,setting", field="header")
     match = nearest(wanted, [name for name in names if name not in ("deflection", "setting")])
     hint = f" (is {quoted(match)} meant?)" if match else ""
     raise InputError(f"the column {wanted} is missing{hint}; allowed: deflection,setting", field="header")
@@ -111,9 +107,7 @@ def _number(cell: str, number: int, line: int, column: str) -> float:
     if _NOT_FINITE.fullmatch(text):
         raise InputError(f"{quoted(text)} is not finite; allowed is a finite number in SI units", field=where)
     if len(text) > 400 or not _NUMBER.fullmatch(text):
-        raise InputError(
-            f"{quoted(text)} is not a number; allowed is a finite number in SI units", field=where
-        )
+        raise InputError(f"{quoted(text)} is not a number; allowed is a finite number in SI units", field=where)
     value = float(text)
     if not math.isfinite(value):
         raise InputError(f"{quoted(text)} is too large; allowed is a finite number in SI units", field=where)

@@ -44,7 +44,7 @@ def write_results(stream: TextIO, design: Design, points: PointsTable) -> dict[S
 
 
 def number(value: float) -> str:
-    """Return a number with 17 significant digits, which give back the same double; ``nan`` and ``inf`` as such."""
+    """Return a number with 17 significant digits, which give back the double; ``nan`` and ``inf`` stay."""
     return format(value, ".17g")
 
 

@@ -1,7 +1,8 @@
 """Quantities at the edge: text with a unit, checked by kind, to an SI float.
 
-The dimension alone is not enough: to the SI a joule is a newton metre and a radian is nothing, so ``1 J`` would
-pass for a torque and ``1 N*m`` for a rotational stiffness. Each kind therefore lists what its units may measure.
+The dimension alone is not enough: to the SI a joule is a newton metre and a radian is nothing, so
+``1 J`` would pass for a torque and ``1 N*m`` for a rotational stiffness. Each kind therefore lists what its
+units may measure.
 """
 
 from __future__ import annotations

@@ -117,8 +117,8 @@ def atoms() -> dict[str, Unit]:
 def parse_unit(text: str) -> Unit:
     """Return the unit that an expression such as ``N*m/rad`` or ``kg/m^3`` names.
 
-    Factors are joined by ``*``, a space, a middle dot or ``/``, which divides by the next factor only; a power
-    follows its factor. Nothing is evaluated and there are no brackets.
+    Factors are joined by ``*``, a space, a middle dot or ``/``, which divides by the next factor only; a
+    power follows its factor. Nothing is evaluated and there are no brackets.
 
     Raises
     ------

@@ -1,8 +1,9 @@
 """Text files from users, read safely: regular, small enough, UTF-8; and YAML without its surprises.
 
-YAML is read from its event stream into plain mappings, lists and scalars. Tags, anchors and aliases are refused,
-so nothing is constructed and nothing expands; depth is bounded; a repeated key is an error. Plain scalars follow
-the core schema of YAML 1.2: only ``true``/``false`` are booleans, and ``on``, ``no``, ``1:30`` and dates are text.
+YAML is read from its event stream into plain mappings, lists and scalars. Tags, anchors and aliases are
+refused, so nothing is constructed and nothing expands; depth is bounded; a repeated key is an error. Plain
+scalars follow the core schema of YAML 1.2: only ``true``/``false`` are booleans, and ``on``, ``no``, ``1:30``
+and dates are text.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ import os
 import re
 import stat
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 from varistiff.core.errors import InputError
@@ -47,6 +49,8 @@ def read_text(path: str | os.PathLike[str], *, limit: int) -> str:
         data = _bytes(file, limit)
     except OSError as error:
         raise InputError(f"cannot be read: {reason(error)}", file=printable_path(file)) from None
+    except InputError:  # a ValueError too, and already in words
+        raise
     except ValueError:  # a path with a null character
         raise InputError("is no path that a file can have", file=printable_path(file)) from None
     try:
@@ -68,14 +72,14 @@ def printable_path(path: str) -> str:
 
 def _bytes(file: str, limit: int) -> bytes:
     shown = printable_path(file)
-    status = os.stat(file)
+    status = Path(file).stat()
     if stat.S_ISDIR(status.st_mode):
         raise InputError("is a directory; allowed is a file", file=shown)
     if not stat.S_ISREG(status.st_mode):
         raise InputError("is not a regular file", file=shown)
     if status.st_size > limit:
         raise InputError(_too_large(status.st_size, limit), file=shown)
-    with open(file, "rb") as stream:
+    with Path(file).open("rb") as stream:
         data = stream.read(limit + 1)
     if len(data) > limit:  # it grew in between
         raise InputError(_too_large(len(data), limit), file=shown)
@@ -99,11 +103,11 @@ def _text(data: bytes) -> str:
 
 
 def read_yaml_documents(path: str | os.PathLike[str], *, limit: int = YAML_LIMIT) -> tuple[str, list[Any]]:
-    """Return the text of a YAML file and its documents as plain mappings, lists and scalars; empty ones are left out.
+    """Return the text of a YAML file and its documents as plain data; empty documents are left out.
 
     Raises
     ------
-    InputError : as ``read_text``, or not YAML, or YAML with tags, anchors, aliases, repeated keys or deep nesting
+    InputError : as ``read_text``; not YAML; or tags, anchors, aliases, repeated keys or deep nesting
     """
     text = read_text(path, limit=limit)
     try:
@@ -193,7 +197,7 @@ def _refuse(event: Any) -> None:
     import yaml
 
     if isinstance(event, yaml.AliasEvent):
-        raise InputError(f"YAML aliases (*{printable(event.anchor)}) are not allowed", field=_line(event))
+        raise InputError(f"YAML aliases (*{printable(event.anchor or '')}) are not allowed", field=_line(event))
     if event.anchor is not None:
         raise InputError(f"YAML anchors (&{printable(event.anchor)}) are not allowed", field=_line(event))
     if event.tag is not None:
@@ -234,9 +238,7 @@ def one_document(documents: list[Any], file: str) -> Any:
     if len(documents) == 1:
         return documents[0]
     names = [document.get("name") if isinstance(document, dict) else None for document in documents]
-    shown = [
-        printable(str(name)) if name is not None else "without a name" for name in names[:_MOST_DOCUMENTS]
-    ]
+    shown = [printable(str(name)) if name is not None else "without a name" for name in names[:_MOST_DOCUMENTS]]
     more = ", ..." if len(names) > _MOST_DOCUMENTS else ""
     raise InputError(
         f"holds {len(documents)} designs ({', '.join(shown)}{more}); allowed is one design per file",

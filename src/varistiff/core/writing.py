@@ -19,8 +19,8 @@ from varistiff.core.textfile import printable_path, reason
 def staged_file(target: str | os.PathLike[str]) -> Iterator[TextIO]:
     """Give a text stream whose content becomes ``target`` when the block ends well.
 
-    On any failure, an interruption included, the target is as it was and nothing is left beside it. A target that
-    is a device or a pipe is written to directly.
+    On any failure, an interruption included, the target is as it was and nothing is left beside it. A target
+    that is a device or a pipe is written to directly.
 
     Raises
     ------
@@ -33,9 +33,7 @@ def staged_file(target: str | os.PathLike[str]) -> Iterator[TextIO]:
                 yield stream
             return
         if final.is_dir():
-            raise InputError(
-                "is a directory; allowed is the name of a file", file=printable_path(str(target))
-            )
+            raise InputError("is a directory; allowed is the name of a file", file=printable_path(str(target)))
         with _parents(final):
             temporary = _beside(final)
             try:
@@ -62,9 +60,7 @@ def staged_directory(target: str | os.PathLike[str]) -> Iterator[Path]:
     final = Path(os.path.realpath(target))
     with _explained(target):
         if final.exists() and not final.is_dir():
-            raise InputError(
-                "is a file; allowed is the name of a directory", file=printable_path(str(target))
-            )
+            raise InputError("is a file; allowed is the name of a directory", file=printable_path(str(target)))
         with _parents(final):
             temporary = _beside(final)
             temporary.mkdir()
@@ -77,6 +73,21 @@ def staged_directory(target: str | os.PathLike[str]) -> Iterator[Path]:
                 _move(temporary, final)
             finally:
                 shutil.rmtree(temporary, ignore_errors=True)
+
+
+class _DiscardError(Exception):
+    """The staged directory was only a trial."""
+
+
+def check_directory(target: str | os.PathLike[str]) -> None:
+    """Find out, before a long computation, that a directory can be written; nothing is left behind.
+
+    Raises
+    ------
+    InputError : it cannot
+    """
+    with contextlib.suppress(_DiscardError), staged_directory(target):
+        raise _DiscardError
 
 
 def _move(source: Path, target: Path) -> None:

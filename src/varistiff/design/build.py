@@ -1,4 +1,4 @@
-"""From a resolved spec to the actuator. Importing the actuators brings in JAX, so each function does it itself."""
+"""From a resolved spec to the actuator; the actuators bring in JAX and are imported where they are built."""
 
 from __future__ import annotations
 
@@ -127,12 +127,10 @@ def _torsion_tube(spec: TorsionTubeSpec) -> Actuator:
 
 
 def _antagonistic_leaves(spec: AntagonisticLeavesSpec) -> Actuator:
-    from varistiff.actuators.antagonistic_leaves import (
-        AntagonisticLeaves,
-        GuidedLeaf,
-        SlidingLeaf,
-        WrappedLeaf,
-    )
+    from varistiff.actuators.antagonistic_leaves import AntagonisticLeaves
+    from varistiff.elastic.guided_leaf import GuidedLeaf
+    from varistiff.elastic.sliding_leaf import SlidingLeaf
+    from varistiff.elastic.wrapped_leaf import WrappedLeaf
 
     law: GuidedLeaf | SlidingLeaf | WrappedLeaf
     if spec.end_condition == "guided":
@@ -152,7 +150,8 @@ def _antagonistic_leaves(spec: AntagonisticLeavesSpec) -> Actuator:
 
 def _slider_leaf_joint(spec: SliderLeafJointSpec) -> Actuator:
     from varistiff.actuators.groove import Groove
-    from varistiff.actuators.slider_leaf_joint import LargeDeflection, SliderLeafJoint, SmallDeflection
+    from varistiff.actuators.leaf_joint_theory import LargeDeflection, SmallDeflection
+    from varistiff.actuators.slider_leaf_joint import SliderLeafJoint
 
     groove = spec.groove
     return SliderLeafJoint(
@@ -176,6 +175,4 @@ def _slider_leaf_joint(spec: SliderLeafJointSpec) -> Actuator:
 def _maccepa(spec: MaccepaSpec) -> Actuator:
     from varistiff.actuators.maccepa import Maccepa
 
-    return Maccepa(
-        spring_rate=spec.spring_rate, lever_length=spec.lever_length, anchor_distance=spec.anchor_distance
-    )
+    return Maccepa(spring_rate=spec.spring_rate, lever_length=spec.lever_length, anchor_distance=spec.anchor_distance)

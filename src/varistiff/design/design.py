@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import html
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -32,6 +33,8 @@ if TYPE_CHECKING:
 
     from varistiff.actuators.actuator import Actuator
     from varistiff.characteristic.evaluate import Points
+
+Progress = Callable[[int, int], None]
 
 _SLENDERNESS_LIMIT = 5.4  # dos Santos and Richter 2019: below it shear deformation is not negligible
 
@@ -70,7 +73,7 @@ class Design:
 
     @cached_property
     def hash(self) -> str:
-        """SHA-256 of the canonical spec: changes with every value, not with layout, comments, units or the name."""
+        """SHA-256 of the canonical spec: changes with values, not with layout, comments, units or name."""
         return design_hash(self.elements)
 
     @property
@@ -123,9 +126,7 @@ class Design:
         from varistiff.characteristic.evaluate import evaluate
 
         if setting is None and self.setting_unit is not None:
-            raise InputError(
-                f"the setting is missing; a {self.kind} needs one in {self.setting_unit}", file=self.path
-            )
+            raise InputError(f"the setting is missing; a {self.kind} needs one in {self.setting_unit}", file=self.path)
         if setting is not None and self.setting_unit is None:
             raise InputError(f"a {self.kind} has no setting; leave it out", file=self.path)
         return evaluate(self.actuator, deflection, setting)
@@ -135,14 +136,14 @@ class Design:
         *,
         deflection_points: int = 201,
         setting_points: int = 101,
-        progress: bool | Callable[[float], None] = False,
+        progress: bool | Progress = False,
     ) -> xr.Dataset:
         """Return the characteristic map over the design's ranges as a labelled dataset.
 
         Parameters
         ----------
         deflection_points, setting_points : size of the even grid, each at least 2
-        progress : True shows a bar; a function is called with the fraction done
+        progress : True shows a bar; a function is called with (points done, points in all)
         """
         import numpy as np
 
@@ -154,9 +155,14 @@ class Design:
         deflection = np.linspace(*self.deflection_range, deflection_points)
         bounds = self.setting_range
         setting = None if bounds is None else np.linspace(*bounds, setting_points)
-        return characteristic_map(
-            self.actuator, deflection=deflection, setting=setting, attrs=self.attributes, progress=progress
-        )
+        with _shown(progress) as report:
+            return characteristic_map(
+                self.actuator,
+                deflection=deflection,
+                setting=setting,
+                attrs=self.attributes,
+                progress=report,
+            )
 
     @property
     def attributes(self) -> dict[str, str]:
@@ -166,7 +172,8 @@ class Design:
     def __repr__(self) -> str:
         deflection = _range(self.deflection_range, self.deflection_unit)
         setting = _range(self.setting_range, self.setting_unit)
-        return f"<Design {self.name!r}: {self.kind}, deflection {deflection}, setting {setting}, {self.hash[:12]}>"
+        ranges = f"deflection {deflection}, setting {setting}"
+        return f"<Design {self.name!r}: {self.kind}, {ranges}, hash {self.hash[:12]}>"
 
     def _repr_html_(self) -> str:
         rows = {
@@ -207,6 +214,22 @@ def load(path: str | os.PathLike[str], *, materials: str | os.PathLike[str] | No
     return Design(name=spec.name, path=file, text=text, spec=spec, elements=elements)
 
 
+@contextmanager
+def _shown(progress: bool | Progress) -> Iterator[Progress | None]:
+    """Give what ``evaluate`` calls after each block of points."""
+    if not isinstance(progress, bool):
+        yield progress
+        return
+    if not progress:
+        yield None
+        return
+    from rich.progress import Progress as Bar
+
+    with Bar(transient=True) as bar:
+        task = bar.add_task("map")
+        yield lambda done, total: bar.update(task, completed=done, total=total)
+
+
 def _own_materials(
     spec: DesignSpec, path: Path, materials: str | os.PathLike[str] | None
 ) -> Mapping[str, Material] | None:
@@ -232,9 +255,7 @@ def _warnings(elements: AnyActuatorSpec) -> list[str]:
                     f"actuator.{name}: length/thickness is {slenderness:.3g}, below {_SLENDERNESS_LIMIT}: "
                     "the model leaves out shear deformation, which is not small here"
                 )
-    if isinstance(elements, TorsionTubeSpec) and elements.length is not None:
-        if elements.setting.max > elements.length:
-            found.append(
-                "actuator.setting.max: is above the element's length; the points beyond it are element_too_short"
-            )
+    tube = elements if isinstance(elements, TorsionTubeSpec) else None
+    if tube is not None and tube.length is not None and tube.setting.max > tube.length:
+        found.append("actuator.setting.max: is above the element's length: points beyond are element_too_short")
     return found

@@ -11,9 +11,11 @@ from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 from varistiff.core import quantity
 from varistiff.core.errors import InputError
 from varistiff.core.quantity import Kind
+from varistiff.core.quantity_units import atoms
 from varistiff.core.suggest import quoted
 
-_PATTERN = r"^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*[A-Za-z\u00b5\u03bc\u00b0].*$"
+_NUMBER = r"([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*"
+_ANY_UNIT = r"[A-Za-z\u00b5\u03bc\u00b0].*"
 
 Sign = Literal["any", "positive", "not negative"]
 
@@ -39,18 +41,23 @@ class QuantityOf:
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         return core_schema.no_info_plain_validator_function(self.parse)
 
-    def __get_pydantic_json_schema__(
-        self, schema: CoreSchema, handler: GetJsonSchemaHandler
-    ) -> dict[str, Any]:
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
         limit = {"any": "", "positive": " above zero", "not negative": " of zero or above"}[self.sign]
         description = f"{self.kind.name}{limit} as text with a unit, for example {self.kind.example}"
-        pattern = _PATTERN if self.sign == "any" else _PATTERN.replace("[-+]?", r"\+?", 1)
+        sign = "[-+]?" if self.sign == "any" else r"\+?"
         return {
             "type": "string",
             "description": description[0].upper() + description[1:],
-            "pattern": pattern,
+            "pattern": rf"^\s*{sign}{_NUMBER}({_units(self.kind)})\s*$",
             "examples": [self.kind.example],
         }
+
+
+def _units(kind: Kind) -> str:
+    """Return a pattern for the units of a kind: exactly its symbols where it is measured directly."""
+    direct = [symbol for symbol, unit in atoms().items() if unit.signature in kind.signatures]
+    simple = all(len(signature) == 1 and signature[0][1] == 1 for signature in kind.signatures)
+    return "|".join(sorted(direct)) if simple else _ANY_UNIT
 
 
 def wrong(problem: str, *, field: str | None = None) -> PydanticCustomError:
@@ -72,9 +79,7 @@ PositiveRotationalStiffness = Annotated[float, QuantityOf(quantity.ROTATIONAL_ST
 class Part(BaseModel):
     """A mapping of a design file; unknown fields are errors."""
 
-    model_config = ConfigDict(
-        extra="forbid", frozen=True, strict=True, allow_inf_nan=False, populate_by_name=True
-    )
+    model_config = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False, populate_by_name=True)
 
 
 class Range(Part):

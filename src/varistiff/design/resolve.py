@@ -44,14 +44,12 @@ def _filled(
         if getattr(part, name) is None and known is not None:
             update[name] = known.value
     if modulus not in update and getattr(part, modulus) is None:
-        raise InputError(
-            f"material {part.material} has no known {modulus}; give it here", field=f"{field}.{modulus}"
-        )
+        raise InputError(f"material {part.material} has no known {modulus}; give it here", field=f"{field}.{modulus}")
     return update
 
 
 def canonical(spec: AnyActuatorSpec) -> str:
-    """Return a resolved spec as canonical JSON: SI numbers, sorted names, nothing that is absent, no material names."""
+    """Return a resolved spec as canonical JSON: SI, sorted names, no absent fields, no material names."""
     plain = _plain(spec.model_dump())
     if isinstance(spec, SliderLeafJointSpec):
         plain["driven_by"] = spec.driven_by  # a length and an angle of the same number differ
@@ -61,8 +59,8 @@ def canonical(spec: AnyActuatorSpec) -> str:
 def design_hash(spec: AnyActuatorSpec) -> str:
     """Return the SHA-256 of the canonical spec, in hexadecimal.
 
-    Two files have one hash exactly if every number in SI units is the same: layout, comments, units, the design's name
-    and whether a value was written or came from a material do not matter.
+    Two files have one hash exactly if every number in SI units is the same: layout, comments, units, the
+    design's name, and whether a value was written or came from a material do not matter.
     """
     return hashlib.sha256(canonical(spec).encode()).hexdigest()
 

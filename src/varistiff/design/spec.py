@@ -60,9 +60,7 @@ class LeafSpec(Part):
     @model_validator(mode="after")
     def _has_modulus(self) -> LeafSpec:
         if self.material is None and self.youngs_modulus is None:
-            raise wrong(
-                "neither material nor youngs_modulus is given; allowed is one of them or both", field=""
-            )
+            raise wrong("neither material nor youngs_modulus is given; allowed is one of them or both", field="")
         return self
 
 
@@ -82,9 +80,7 @@ class SingleRollerSpec(Part):
     """One roller of finite radius below or above the beam."""
 
     arrangement: Literal["single_lower", "single_upper"]
-    offset: Length = Field(
-        default=0.0, validate_default=False, description="d_r, roller centre from the link axis"
-    )
+    offset: Length = Field(default=0.0, validate_default=False, description="d_r, roller centre from the link axis")
     radius: PositiveLength
 
 
@@ -92,9 +88,7 @@ class FixedPairSpec(Part):
     """Two rollers fixed to the link, one on each side of the beam."""
 
     arrangement: Literal["fixed_pair"]
-    offset: Length = Field(
-        default=0.0, validate_default=False, description="Middle of the pair from the link axis"
-    )
+    offset: Length = Field(default=0.0, validate_default=False, description="Middle of the pair from the link axis")
     radius: PositiveLength
     clearance: PositiveLength
 
@@ -104,15 +98,11 @@ class SwivellingPairSpec(Part):
 
     arrangement: Literal["swivelling_pair"]
     offset: Length = Field(default=0.0, validate_default=False, description="Pivot from the link axis")
-    radius: PositiveLength | None = Field(
-        default=None, description="Of no effect: the pair turns with the beam"
-    )
+    radius: PositiveLength | None = Field(default=None, description="Of no effect: the pair turns with the beam")
     clearance: NonNegativeLength
 
 
-RollerSpec = Annotated[
-    SingleRollerSpec | FixedPairSpec | SwivellingPairSpec, Field(discriminator="arrangement")
-]
+RollerSpec = Annotated[SingleRollerSpec | FixedPairSpec | SwivellingPairSpec, Field(discriminator="arrangement")]
 
 
 class RollerBeamSpec(Part):
@@ -145,9 +135,7 @@ class HollowCircleSpec(Part):
     @model_validator(mode="after")
     def _ordered(self) -> HollowCircleSpec:
         if not self.inner_radius < self.outer_radius:
-            raise wrong(
-                "is not below outer_radius; allowed is inner_radius < outer_radius", field="inner_radius"
-            )
+            raise wrong("is not below outer_radius; allowed is inner_radius < outer_radius", field="inner_radius")
         return self
 
 
@@ -172,9 +160,7 @@ class TorsionTubeSpec(Part):
     @model_validator(mode="after")
     def _has_modulus(self) -> TorsionTubeSpec:
         if self.material is None and self.shear_modulus is None:
-            raise wrong(
-                "neither material nor shear_modulus is given; allowed is one of them or both", field=""
-            )
+            raise wrong("neither material nor shear_modulus is given; allowed is one of them or both", field="")
         return self
 
 
@@ -185,24 +171,18 @@ class AntagonisticLeavesSpec(Part):
     leaf: LeafSpec
     roller_distance: PositiveLength = Field(description="D")
     clamp_height: PositiveLength = Field(description="y_f")
-    end_condition: Literal["sliding", "guided"] = Field(
-        description="sliding: exact; guided: as the paper models it"
-    )
+    end_condition: Literal["sliding", "guided"] = Field(description="sliding: exact; guided: as the paper models it")
     protection_radius: PositiveLength | None = Field(
         default=None, description="Radius of the cylinders that the leaf wraps on; sliding only; optional"
     )
-    screw_lead: PositiveLength | None = Field(
-        default=None, description="Lead of the adjusting screw; optional"
-    )
+    screw_lead: PositiveLength | None = Field(default=None, description="Lead of the adjusting screw; optional")
     setting: PositiveLengthRange = Field(description="Nut distance delta")
     deflection: LengthRange
 
     @model_validator(mode="after")
     def _consistent(self) -> AntagonisticLeavesSpec:
         if self.protection_radius is not None and self.end_condition != "sliding":
-            raise wrong(
-                "is given with end_condition guided; allowed only with sliding", field="protection_radius"
-            )
+            raise wrong("is given with end_condition guided; allowed only with sliding", field="protection_radius")
         return self
 
 
@@ -228,10 +208,7 @@ def _measure_of_range(value: Any) -> str:
         return "angle"
     if not isinstance(value, dict):
         return "length"
-    kinds = [
-        quantity.kind_of(end, (quantity.LENGTH, quantity.ANGLE))
-        for end in (value.get("min"), value.get("max"))
-    ]
+    kinds = [quantity.kind_of(end, (quantity.LENGTH, quantity.ANGLE)) for end in (value.get("min"), value.get("max"))]
     return "angle" if quantity.ANGLE in kinds and quantity.LENGTH not in kinds else "length"
 
 
@@ -264,9 +241,7 @@ class SliderLeafJointSpec(Part):
         groove = self.groove
         if groove is None:
             if self.driven_by == "disc":
-                raise wrong(
-                    "is an angle without a groove; allowed is a length, or give the groove", field="setting"
-                )
+                raise wrong("is an angle without a groove; allowed is a length, or give the groove", field="setting")
             return self
         if not groove.outer_radius > self.clamp_radius:
             raise wrong(
@@ -307,21 +282,11 @@ class MaccepaSpec(Part):
 
 
 ActuatorSpec = Annotated[
-    RollerBeamSpec
-    | TorsionTubeSpec
-    | AntagonisticLeavesSpec
-    | SliderLeafJointSpec
-    | SeriesElasticSpec
-    | MaccepaSpec,
+    RollerBeamSpec | TorsionTubeSpec | AntagonisticLeavesSpec | SliderLeafJointSpec | SeriesElasticSpec | MaccepaSpec,
     Field(discriminator="kind"),
 ]
 AnyActuatorSpec = (
-    RollerBeamSpec
-    | TorsionTubeSpec
-    | AntagonisticLeavesSpec
-    | SliderLeafJointSpec
-    | SeriesElasticSpec
-    | MaccepaSpec
+    RollerBeamSpec | TorsionTubeSpec | AntagonisticLeavesSpec | SliderLeafJointSpec | SeriesElasticSpec | MaccepaSpec
 )
 
 

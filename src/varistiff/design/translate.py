@@ -31,11 +31,7 @@ def translated(error: ValidationError, document: Any) -> InputError:
     loc = chosen["loc"]
     field, problem = _clause(chosen, _path(loc), document)
     others = len(details) - 1
-    more = (
-        f" (and {others} more {'problem' if others == 1 else 'problems'})"
-        if others and _rank(chosen) > 0
-        else ""
-    )
+    more = f" (and {others} more {'problem' if others == 1 else 'problems'})" if others and _rank(chosen) > 0 else ""
     return InputError(problem + more, field=field or None)
 
 

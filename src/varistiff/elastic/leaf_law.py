@@ -22,9 +22,10 @@ Curve = npt.NDArray[np.float64]
 class LeafState(NamedTuple):
     """Answer of a leaf law, per point; numbers are NaN where ``exists`` is false.
 
-    ``energy`` U [J], ``force`` dU/d(span) [N], ``stiffness`` d2U/d(span)2 [N/m] (tangent), all at a fixed rise;
-    ``curvature_max`` the largest curvature of the leaf [1/m]; ``arc_length`` from clamp to roller [m];
-    ``exists`` whether a stable shape exists with this span imposed; ``valid`` whether the law's own assumptions hold.
+    ``energy`` U [J], ``force`` dU/d(span) [N], ``stiffness`` d2U/d(span)2 [N/m] (tangent), all at a fixed
+    rise; ``curvature_max`` the largest curvature of the leaf [1/m]; ``arc_length`` from clamp to roller [m];
+    ``exists`` whether a stable shape exists with this span imposed; ``valid`` whether the law's own
+    assumptions hold.
     """
 
     energy: Field
@@ -40,8 +41,8 @@ class LeafLaw(eqx.Module):
     """A leaf that leaves a roller horizontally and ends horizontally in a clamp.
 
     ``span`` is the horizontal and ``rise`` the vertical distance from roller to clamp [m], ``rise`` > 0.
-    The leaf's length between them is free. With EI the flexural rigidity, U rise/EI depends on span/rise (and on
-    lengths of the law over rise) alone.
+    The leaf's length between them is free. With EI the flexural rigidity, U rise/EI depends on span/rise
+    (and on lengths of the law over rise) alone.
     """
 
     references: ClassVar[tuple[str, ...]]  # keys of varistiff.core.citations
@@ -71,4 +72,5 @@ def masked(exists: Mask, value: Field) -> Field:
 def require_shape(exists: bool, span: float, rise: float) -> None:
     """Refuse to draw a leaf that has no stable shape."""
     if not exists:
-        raise InputError(f"no stable leaf at span {span:g} m and rise {rise:g} m; choose a larger span", field="span")
+        problem = f"no stable leaf at span {span:g} m and rise {rise:g} m; choose a larger span"
+        raise InputError(problem, field="span")

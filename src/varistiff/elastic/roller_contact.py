@@ -29,6 +29,7 @@ from varistiff.elastic.polynomial import estrin
 
 CONTACT_TOLERANCE = 1e-12  # a gap or an overlap [m] below this is no contact
 _CONVERGED = 1e-6  # a cubic step this small leaves an error below 1e-15
+_FIRST_CHANGE = 1e-4  # the same for a second step from a 1 % guess: the constant of the cubic is then below 1e-3
 _STEPS_AT_MOST = 60
 
 Field = Float[Array, "..."]
@@ -82,8 +83,7 @@ def roller_contact(
     x = jnp.where(usable, centre_x, 1.0)
     y = jnp.where(usable, centre_y, 0.1)
     r = jnp.where(usable, radius, 0.0)
-    exists = usable & _before_fold(x, y, r)
-    x, y, r = jnp.where(exists, x, 1.0), jnp.where(exists, y, 0.1), jnp.where(exists, r, 0.0)
+    exists = usable & _before_fold(*_unit(x, y, r))
     slope = contact_slope(x, y, r)
     terms = _materialised(slope_terms(slope))
     reach = x * terms.cosine + y * terms.sine
@@ -126,14 +126,16 @@ def _mismatch(terms: SlopeTerms, x: Field, y: Field, r: Field) -> Field:
     return across - r - along * terms.offset_ratio
 
 
-def _before_fold(x: Field, y: Field, r: Field) -> Bool[Array, "..."]:
+def _fold_slope(epsilon: Field) -> Field:
+    return estrin(COEFFICIENTS["fold_slope"], epsilon)
+
+
+def _before_fold(x1: Field, y1: Field, epsilon: Field) -> Bool[Array, "..."]:
     """Whether the centre's polar angle is below the largest that any slope reaches, a function of r/rho alone.
 
     The fold's slope comes from a polynomial; the angle is stationary there, so its error enters squared.
     """
-    x1, y1, epsilon = _unit(x, y, r)
-    terms = slope_terms(estrin(COEFFICIENTS["fold_slope"], epsilon))
-    return _mismatch(terms, x1, y1, epsilon) >= 0.0
+    return _mismatch(slope_terms(_fold_slope(epsilon)), x1, y1, epsilon) >= 0.0
 
 
 def _first_guess(x1: Field, y1: Field, epsilon: Field, fold_slope: Field) -> Field:
@@ -171,19 +173,20 @@ def contact_slope(x: Field, y: Field, r: Field) -> Field:
     (|r| close to the centre's distance) are bracketed and finished in a loop.
     """
     x1, y1, epsilon = _unit(x, y, r)
-    fold_slope = estrin(COEFFICIENTS["fold_slope"], epsilon)
+    fold_slope = _fold_slope(epsilon)
     slope = _first_guess(x1, y1, epsilon, fold_slope)
     slope = jnp.clip(slope + _step(slope, x1, y1, epsilon)[1], 0.0, fold_slope)
     change = _step(slope, x1, y1, epsilon)[1]
-    open_ = jnp.abs(change) > 1e-4 * slope
+    open_ = (jnp.abs(change) > _FIRST_CHANGE * slope) & _before_fold(x1, y1, epsilon)
     slope = jnp.clip(slope + change, 0.0, fold_slope)
-    return _finish(slope, open_, x1, y1, epsilon, fold_slope)
+    finished: Field = lax.cond(jnp.any(open_), _finish, lambda *operands: operands[0], slope, open_, x, y, r)
+    return finished
 
 
-def _finish(
-    slope: Field, open_: Bool[Array, "..."], x1: Field, y1: Field, epsilon: Field, fold_slope: Field
-) -> Field:
-    """Bracketed cubic steps until every open point has converged; no pass where none is open."""
+def _finish(slope: Field, open_: Bool[Array, "..."], x: Field, y: Field, r: Field) -> Field:
+    """Bracketed cubic steps until every open point has converged."""
+    x1, y1, epsilon = _unit(x, y, r)
+    fold_slope = _fold_slope(epsilon)
 
     def body(carry: tuple[Array, ...]) -> tuple[Array, ...]:
         count, t, low, high, pending = carry
@@ -217,28 +220,28 @@ def _contact_slope_jvp(
     return slope, -((s - c * h) * dx - (c + s * h) * dy - dr) / rate
 
 
-def centreline(slope: float, reach: float, points: int = 101, tail: float = 0.0) -> np.ndarray:
+def centreline(slope: float, arc_length: float, points: int = 101, tail: float = 0.0) -> np.ndarray:
     """Deformed centreline from the clamp to the contact, then ``tail`` metres straight on; shape (points, 2) [m].
 
-    ``reach`` is X = C.t^ of the solved contact. Spaced evenly in the square root of the remaining slope, which
-    puts points where the beam is straight too.
+    Parameters
+    ----------
+    slope, arc_length : t >= 0 and L of the solved contact
+    points : on the bent part, evenly spaced in the square root of the angle still to turn
+    tail : length of the free end [m]; adds one point
     """
     if slope <= 0.0:
-        ends = np.linspace(0.0, reach + tail, points)
+        ends = np.linspace(0.0, arc_length + tail, points)
         return np.stack([ends, np.zeros_like(ends)], axis=1)
-    scale = reach / (2.0 * math.sqrt(math.sin(slope)))
+    # ds = k dpsi/sqrt(sin psi) with psi = root^2 the angle still to turn
+    nodes, weights = np.polynomial.legendre.leggauss(12)
     root = np.linspace(math.sqrt(slope), 0.0, points)
-    psi = root**2  # angle still to turn; ds = scale dpsi/sqrt(sin psi)
-    from numpy.polynomial.legendre import leggauss
-
-    nodes, weights = leggauss(12)
     half = 0.5 * (root[:-1] - root[1:])
     inner = 0.5 * (root[:-1] + root[1:])[:, None] + half[:, None] * nodes
-    density = 2.0 * scale * inner / np.sqrt(np.sin(inner**2))
+    density = 2.0 * inner / np.sqrt(np.sin(inner**2)) * weights * half[:, None]
+    density *= arc_length / density.sum()
     angle = slope - inner**2
-    steps = np.stack([(density * np.cos(angle)) @ weights, (density * np.sin(angle)) @ weights], axis=1)
-    line = np.concatenate([np.zeros((1, 2)), np.cumsum(steps * half[:, None], axis=0)])
+    steps = np.stack([(density * np.cos(angle)).sum(axis=1), (density * np.sin(angle)).sum(axis=1)], axis=1)
+    line = np.concatenate([np.zeros((1, 2)), np.cumsum(steps, axis=0)])
     if tail > 0.0:
-        end = line[-1] + tail * np.array([math.cos(slope), math.sin(slope)])
-        line = np.concatenate([line, end[None]])
+        line = np.concatenate([line, line[-1:] + tail * np.array([[math.cos(slope), math.sin(slope)]])])
     return line

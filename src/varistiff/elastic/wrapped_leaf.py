@@ -48,7 +48,8 @@ def _free_turning(reach: Field) -> Field:
         value, rate = _reach(slope_terms(psi))
         return psi - (value - reach) / jnp.maximum(rate, 1e-12)  # the rate vanishes at 90 degrees
 
-    return jax.lax.fori_loop(0, _NEWTON_STEPS, improve, start)
+    solution: Field = jax.lax.fori_loop(0, _NEWTON_STEPS, improve, start)
+    return solution
 
 
 @_free_turning.defjvp
@@ -91,28 +92,31 @@ def _wrapped_shape(xi: Field, eta: Field, reach: Field) -> _WrappedShape:
 
 
 class WrappedLeaf(LeafLaw):
-    """A sliding leaf that wraps on cylinders of radius R at clamp and roller instead of bending tighter there.
+    """A sliding leaf that wraps on cylinders of radius R at clamp and roller instead of bending tighter.
 
     While the free elastica's end curvature is at most 1/R this is `SlidingLeaf`. Beyond, each end follows its
-    cylinder over an angle phi and a free elastica with curvature 1/R at lift-off joins them: with psi the turning
-    from lift-off to the middle (slope t = phi + psi), xi = span/(2 R), eta = rise/(2 R), Q = sqrt(sin psi) I2(psi)::
+    cylinder over an angle phi and a free elastica with curvature 1/R at lift-off joins them: with psi the
+    turning from lift-off to the middle (slope t = phi + psi), xi = span/(2 R), eta = rise/(2 R) and
+    Q = sqrt(sin psi) I2(psi)::
 
         Q (Q + 2 cos psi) = xi^2 - eta (2 - eta),    t = atan2(xi, 1 - eta) - atan2(sin psi, cos psi + Q)
         U = EI (phi + I2/sqrt(sin psi))/R,    dU/d(span) = -F sin t,   F = EI/(2 R^2 sin psi)
 
     It is the minimiser of the bending energy under the curvature limit 1/R. Over the arc angle alone,
     dU/d(phi) = EI R (kappa - 1/R)^2 with kappa the curvature after lift-off: moment and configurational force
-    M^2/(2 EI) are continuous there, no force acts at lift-off, and stiffness has a kink but no jump where wrapping
-    begins. The force grows without bound towards the hard stop, where the arcs meet and the law ends:
-    span = sqrt(rise (4 R - rise)). Strictly, a frictionless cylinder cannot hold the compressed arc down: the
-    leaf would bridge it by a hair and touch at one point, bending tighter than 1/R by about phi^2/48 of it.
+    M^2/(2 EI) are continuous there, no force acts at lift-off, and stiffness has a kink but no jump where
+    wrapping begins. The force grows without bound towards the hard stop, where the arcs meet and the law
+    ends: span = sqrt(rise (4 R - rise)). Strictly, a frictionless cylinder cannot hold the compressed arc
+    down: the leaf would bridge it by a hair and touch at one point, bending tighter than 1/R by about
+    phi^2/48 of it.
 
-    Cylinders with R < rise/4 have no hard stop; the leaf overhangs before it could wrap and is tightest inside,
-    where no cylinder protects it. There the free leaf is reported, ``valid`` only while its ends bend less than 1/R.
+    Cylinders with R < rise/4 have no hard stop: the leaf overhangs before it could wrap and is tightest
+    inside, where no cylinder protects it. The free leaf is reported then, ``valid`` while it bends nowhere
+    tighter than 1/R.
 
     Parameters
     ----------
-    protection_radius : R [m], of the leaf's centreline on the cylinders
+    protection_radius : R [m]; the leaf's thickness is neglected against it, as in the paper's Eq. (3)
 
     Source: Chacon et al. (2011), section 2 and Eq. (3), for the device.
 
@@ -134,12 +138,13 @@ class WrappedLeaf(LeafLaw):
         free = free_shape(x, rise)
         xi, eta = 0.5 * x / radius, 0.5 * rise / radius
         holding = eta <= 2.0
-        over = end_curvature(free) * radius > 1.0
-        wrapped = holding & (over | (free.terms.cosine < 0.0))  # past 90 degrees the ends unbend again
+        # past 90 degrees the ends of the free leaf unbend again, but by then it lies on the cylinders
+        wrapped = holding & ((end_curvature(free) * radius > 1.0) | (free.terms.cosine < 0.0))
         reach = xi * xi - eta * (2.0 - eta)
         exists = some & (~wrapped | (reach > 0.0))
         safe = jnp.where(wrapped & exists, jnp.minimum(reach, _REACH_LIMIT), 0.5 * _REACH_LIMIT)
-        return _Cases(wrapped, exists, holding | ~over, free, _wrapped_shape(xi, eta, safe))
+        valid = holding | (largest_curvature(free) * radius <= 1.0)
+        return _Cases(wrapped, exists, valid, free, _wrapped_shape(xi, eta, safe))
 
     def energy(self, leaf: Leaf, span: Field, rise: Field) -> Field:
         """Bending energy [J], arcs included; NaN beyond the hard stop."""
@@ -155,6 +160,7 @@ class WrappedLeaf(LeafLaw):
         force = -0.5 * ei * turn / (radius**2 * s)
         bend_rate = c * turn / s * bent.turning_rate - jnp.cos(bent.slope) * bent.slope_rate
         stiffness = 0.25 * ei * bend_rate / (s * radius**3)
+        length = 2.0 * radius * (bent.arc + 2.0 * s * bent.terms.length_ratio)
 
         def choose(on_cylinder: Field, off: Field) -> Field:
             return masked(case.exists, jnp.where(case.wrapped, on_cylinder, off))
@@ -164,13 +170,13 @@ class WrappedLeaf(LeafLaw):
             force=choose(force, free_force(case.free, ei)),
             stiffness=choose(stiffness, free_stiffness(case.free, ei, span, rise)),
             curvature_max=choose(jnp.full_like(s, 1.0 / radius), largest_curvature(case.free)),
-            arc_length=choose(2.0 * radius * (bent.arc + 2.0 * s * bent.terms.length_ratio), free_length(case.free)),
+            arc_length=choose(length, free_length(case.free)),
             exists=case.exists,
             valid=case.valid,
         )
 
     def centreline(self, leaf: Leaf, span: float, rise: float, points: int = 101) -> Curve:
-        """Points (N, 2) [m] from the roller (0, 0) to the clamp (span, rise); N may be a few less than ``points``."""
+        """Points (N, 2) [m] from the roller (0, 0) to the clamp (span, rise); N about ``points``."""
         case = self._cases(jnp.asarray(span), jnp.asarray(rise))
         require_shape(bool(case.exists), span, rise)
         if not bool(case.wrapped):

@@ -37,7 +37,7 @@ class Material:
     youngs_modulus : E [Pa]; of a laminate along its fibres
     shear_modulus : G [Pa]; of a laminate in its plane
     density : [kg/m^3]
-    yield_strength : tensile yield or proof strength [Pa]; where a material has none, the stress its source allows
+    yield_strength : tensile yield or proof strength [Pa]; without one, the stress that its source allows
     fatigue_limit : amplitude of fully reversed stress that a smooth specimen survives [Pa]
     """
 
@@ -71,9 +71,9 @@ def builtin_materials() -> Mapping[str, Material]:
 def read_materials(path: str | os.PathLike[str]) -> Mapping[str, Material]:
     """Return the materials of a user's file by key.
 
-    The file maps a key to a mapping with ``name`` and any of ``youngs_modulus``, ``shear_modulus``, ``density``,
-    ``yield_strength`` and ``fatigue_limit``: text with a unit, or ``{value: ..., source: ...}``. ``source`` beside
-    them is the source of every value without its own.
+    The file maps a key to a mapping with ``name`` and any of ``youngs_modulus``, ``shear_modulus``,
+    ``density``, ``yield_strength`` and ``fatigue_limit``: text with a unit, or ``{value: ..., source: ...}``.
+    ``source`` beside them is the source of every value without its own.
 
     Raises
     ------
@@ -106,17 +106,13 @@ def find_material(key: str, *, extra: Mapping[str, Material] | None = None) -> M
 
 def _table(document: Any) -> dict[str, Material]:
     if not isinstance(document, dict):
-        raise InputError(
-            f"is {quoted(document)}; allowed is a mapping from material names to their properties"
-        )
+        raise InputError(f"is {quoted(document)}; allowed is a mapping from material names to their properties")
     return {key: _material(key, entry) for key, entry in document.items()}
 
 
 def _material(key: str, entry: Any) -> Material:
     if not _KEY.fullmatch(key):
-        raise InputError(
-            "is no material name; allowed are lower case letters, digits and _", field=quoted(key)
-        )
+        raise InputError("is no material name; allowed are lower case letters, digits and _", field=quoted(key))
     if not isinstance(entry, dict):
         raise InputError("allowed is a mapping of properties", field=key)
     for field in entry:
@@ -125,10 +121,7 @@ def _material(key: str, entry: Any) -> Material:
     name, source = entry.get("name", key), entry.get("source")
     if not isinstance(name, str) or not (source is None or isinstance(source, str)):
         raise InputError("name and source must be text", field=key)
-    values = {
-        field: _property(entry.get(field), source, f"{key}.{field}", kind)
-        for field, kind in PROPERTIES.items()
-    }
+    values = {field: _property(entry.get(field), source, f"{key}.{field}", kind) for field, kind in PROPERTIES.items()}
     return Material(key=key, name=name, **values)
 
 
@@ -150,9 +143,7 @@ def _property(entry: Any, source: str | None, field: str, kind: Kind) -> Propert
     if number <= 0.0:
         raise InputError(f"{quoted(value)} is not allowed; {kind.allowed('above zero')}", field=field)
     if not isinstance(source, str) or not source.strip():
-        raise InputError(
-            "has no source; give the handbook, datasheet or measurement it comes from", field=field
-        )
+        raise InputError("has no source; give the handbook, datasheet or measurement it comes from", field=field)
     return Property(value=number, source=source.strip())
 
 

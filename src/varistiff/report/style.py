@@ -6,6 +6,7 @@ Figures are made from ``matplotlib.figure.Figure`` alone: pyplot is slow to impo
 from __future__ import annotations
 
 import io
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -116,7 +117,7 @@ class Drawing:
         buffer = io.StringIO()
         with styled():
             self.figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": "varistiff"})
-        text = buffer.getvalue()
+        text = re.sub(r"<metadata>.*?</metadata>\s*", "", buffer.getvalue(), count=1, flags=re.DOTALL)
         return text[text.index("<svg") :]
 
     def save_png(self, path: Path) -> None:

@@ -15,6 +15,14 @@ from varistiff.report.display import Display, display
 Array = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
 
+SETTING_NAMES = {
+    "antagonistic_leaves": "Nut distance",
+    "maccepa": "Pretension",
+    "roller_beam": "Roller position",
+    "slider_leaf_joint": "Active length",
+    "torsion_tube": "Active length",
+}
+
 
 @dataclass(frozen=True)
 class Field:
@@ -98,10 +106,15 @@ class View:
 
     @property
     def setting_label(self) -> str:
-        """Label of the setting axis, with what the setting is where the map says it."""
-        name = str(self.dataset["setting"].attrs.get("long_name", "setting")) if self.setting is not None else "setting"
-        name = name if len(name) <= 34 else "setting"
-        return f"{name[:1].upper()}{name[1:]} [{self.setting_display.unit}]"
+        """Label of the setting axis, by the name that the kind's setting goes by."""
+        return f"{self.setting_name} [{self.setting_display.unit}]"
+
+    @property
+    def setting_name(self) -> str:
+        """What the stiffness drive moves, capitalised."""
+        if self.setting_display.unit == "deg":
+            return "Disc angle"
+        return SETTING_NAMES.get(str(self.dataset.attrs.get("kind", "")), "Setting")
 
     @property
     def x(self) -> Array:

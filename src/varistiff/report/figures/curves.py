@@ -14,7 +14,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from varistiff.core.status import Status
 from varistiff.report.display import number
 from varistiff.report.style import LOOKS, SOFT
-from varistiff.report.view import Array
+from varistiff.report.view import Array, Mask
 
 LEGEND_X = 0.785
 LOG_ABOVE = 12.0  # ratio beyond which a linear axis hides the low curves
@@ -43,7 +43,7 @@ def draw_curves(axes: Axes, curves: Iterable[Curve]) -> set[Status]:
             ok = status is Status.OK
             axes.plot(
                 curve.x,
-                np.where(_reach(here, curve.status, status), curve.y, np.nan),
+                np.where(_reach(here, curve, status), curve.y, np.nan),
                 color=curve.colour,
                 linestyle=LOOKS[status].dashes,
                 linewidth=2.3 if ok else 1.5,
@@ -53,14 +53,17 @@ def draw_curves(axes: Axes, curves: Iterable[Curve]) -> set[Status]:
     return inked
 
 
-def _reach(here: Array, statuses: Array, status: Status) -> Array:
-    """Let a piece reach one point into its neighbour, so that the line has no gap; the ok piece never does."""
+def _reach(here: Mask, curve: Curve, status: Status) -> Mask:
+    """Let a piece reach one point into an ok neighbour, so that the line has no gap; not across a jump."""
     if status is Status.OK:
         return here
+    ok = curve.status == Status.OK
+    span = float(np.ptp(curve.y[ok & np.isfinite(curve.y)])) if (ok & np.isfinite(curve.y)).any() else np.inf
+    near = np.abs(np.diff(curve.y)) <= 0.2 * span + 0.2 * np.minimum(np.abs(curve.y[1:]), np.abs(curve.y[:-1]))
     wide = here.copy()
-    wide[1:] |= here[:-1]
-    wide[:-1] |= here[1:]
-    return np.asarray(wide & ((statuses == Status.OK) | here))
+    wide[1:] |= here[:-1] & near
+    wide[:-1] |= here[1:] & near
+    return np.asarray(wide & (ok | here))
 
 
 def curve_limits(curves: Iterable[Curve], *, room: float = 0.06) -> tuple[float, float] | None:

@@ -57,25 +57,25 @@ def draw_field(figure: Figure, axes: Axes, view: View, values: Array, *, label: 
     levels = MaxNLocator(6).tick_values(low, high)
     levels = levels[(levels > low) & (levels < high)]
     if levels.size and min(values.shape) > 2:
-        _contours(axes, view, values, levels)
+        _contours(axes, view, values, levels, colour=INK if colours == "PuOr" else "white")
     bar = figure.colorbar(mesh, cax=figure.add_axes((0.80, 0.205, 0.026, 0.70)))
     bar.outline.set_linewidth(0.6)  # type: ignore[operator]  # the stubs call the outline a method
     bar.ax.set_ylabel(label, labelpad=8)
     bar.ax.yaxis.set_major_formatter(NUMBERS)
 
 
-def _contours(axes: Axes, view: View, values: Array, levels: Array) -> None:
+def _contours(axes: Axes, view: View, values: Array, levels: Array, *, colour: str) -> None:
     """Contours with numbers, kept off the frame and off points that are not ok."""
     field = np.ma.masked_invalid(values)
     lines = axes.contour(
-        view.x, view.y, field, levels=levels, colors="white", linewidths=1.0, linestyles="solid", zorder=2.0
+        view.x, view.y, field, levels=levels, colors=colour, linewidths=1.0, linestyles="solid", zorder=2.0
     )
     for text in axes.clabel(lines, fontsize=9.5, inline=False, fmt=lambda value: number(float(f"{value:.6g}"))):
         place = axes.transAxes.inverted().transform(axes.transData.transform(text.get_position()))
         row, column = (int(round(np.clip(part, 0, 1) * (size - 1))) for part, size in zip(place[::-1], values.shape, strict=True))
         if place.min() < 0.06 or place.max() > 0.94 or (view.ok.any() and not view.ok[row, column]):
             text.set_visible(False)
-        text.set_bbox({"facecolor": (0.1, 0.12, 0.14, 0.55), "edgecolor": "none", "boxstyle": "round,pad=0.15"})
+        text.set_bbox({"facecolor": (0.1, 0.12, 0.14, 0.55) if colour == "white" else (1.0, 1.0, 1.0, 0.7), "edgecolor": "none", "boxstyle": "round,pad=0.15"})
 
 
 def _frame(axes: Axes, view: View) -> None:

@@ -56,9 +56,7 @@ def _regions(axes: Axes, view: View, y: Array) -> None:
 
 def label_spots(mask: Mask, *, width: float, height: float, most: int = 3) -> list[tuple[float, float]]:
     """Middle of the roomiest place for a label in each connected region; all in fractions of the axes."""
-    cells = np.linspace(0.0, 1.0, CELLS)
-    rows, columns = ((cells * (size - 1)).round().astype(int) for size in mask.shape)
-    left = np.array(mask[np.ix_(rows, columns)])
+    left = _pooled(mask)
     spots: list[tuple[float, float]] = []
     while len(spots) < most:
         spot = _roomiest(left, width=width, height=height)
@@ -67,6 +65,20 @@ def label_spots(mask: Mask, *, width: float, height: float, most: int = 3) -> li
         spots.append(spot)
         _erase(left, (int(spot[1] * CELLS), int(spot[0] * CELLS)))
     return spots
+
+
+def _pooled(mask: Mask) -> Mask:
+    """Coarse grid of the cells that lie wholly inside the region, so that no label crosses a thin one."""
+    pooled = np.asarray(mask)
+    for axis, size in enumerate(mask.shape):
+        edges = np.linspace(0, size, CELLS + 1)
+        first = np.minimum(edges[:-1].astype(int), size - 1)
+        last = np.maximum(np.ceil(edges[1:]).astype(int), first + 1)
+        total = np.cumsum(np.insert(pooled.astype(int), 0, 0, axis=axis), axis=axis)
+        inside = np.take(total, last, axis=axis) - np.take(total, first, axis=axis)
+        shape = [-1 if index == axis else 1 for index in range(2)]
+        pooled = inside == (last - first).reshape(shape)
+    return pooled
 
 
 def _roomiest(grid: Mask, *, width: float, height: float) -> tuple[float, float] | None:

@@ -40,7 +40,7 @@ def draw(dataset: xr.Dataset) -> Drawing | None:
         plain_numbers(axes, log=log)
         axes.set(xlabel=view.deflection_label, ylabel=stiffness.label, title="Stiffness over deflection")
         if not alone:
-            legends(figure, axes, curves if view.setting is not None else [], title="Setting", inked=inked)
+            legends(figure, axes, curves if view.setting is not None else [], title=view.setting_name, inked=inked)
     caption = "Tangent stiffness, the second derivative of the energy, over deflection"
     caption += "." if view.setting is None else f", at {len(rows)} settings."
     if log:

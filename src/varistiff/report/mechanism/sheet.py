@@ -14,7 +14,7 @@ from matplotlib.patches import Circle, Patch, Polygon, Rectangle
 
 from varistiff.core.status import Status
 from varistiff.report.display import display, number
-from varistiff.report.style import FAINT, INK, LOOKS, METAL, METAL_LIGHT, SOFT, ramp
+from varistiff.report.style import FAINT, INK, LOOKS, METAL, METAL_LIGHT, SOFT, WIDTH, ramp
 from varistiff.report.view import Array, View
 
 MM = 1e3  # drawings are in millimetres
@@ -29,6 +29,8 @@ class Pose:
     setting: float
     label: str
     colour: str
+    row: int = 0  # of the map
+    column: int = 0
 
 
 @dataclass(frozen=True)
@@ -79,7 +81,7 @@ def poses_at(view: View, row: int, count: int = 3) -> list[Pose]:
         if status is not Status.OK:
             text += f" ({LOOKS[status].name})"
         if order == 0 or float(view.deflection[column]) != poses[-1].deflection:
-            poses.append(Pose(float(view.deflection[column]), setting, text, colour))
+            poses.append(Pose(float(view.deflection[column]), setting, text, colour, row, column))
     return poses
 
 
@@ -89,25 +91,41 @@ def end_rows(view: View) -> list[int]:
     return [rows[0], rows[-1]] if rows[0] != rows[-1] else rows[:1]
 
 
-def panels(bounds: Bounds, count: int, *, titles: Sequence[str], width: float = 7.4) -> tuple[Figure, list[Axes]]:
-    """Panels of one scale, stacked where the mechanism is wide and side by side where it is not."""
-    stacked = bounds.height < 0.55 * bounds.width or count == 1
+def panels(
+    bounds: Bounds, count: int, *, titles: Sequence[str], poses: Sequence[Sequence[Pose]] = (), scaled: bool = True
+) -> tuple[Figure, list[Axes]]:
+    """Panels of one scale, stacked where the mechanism is wide and side by side where it is not.
+
+    Each panel carries its title, and the key of its own poses above the drawing.
+    """
+    stacked = bounds.height < 0.5 * bounds.width or count == 1
     columns, rows = (1, count) if stacked else (count, 1)
-    head, foot, side = 0.34, 0.62, 0.1  # inches for a title above each panel, the legend below, the edges
-    wide = (width - side * (columns + 1)) / columns
-    tall = float(np.clip(wide * bounds.height / bounds.width, 0.9, 4.6))
-    height = rows * (tall + head) + foot + 0.06
-    figure = Figure(figsize=(width, height))
+    keys = max((len(group) for group in poses), default=0)
+    head = 0.36 + (0.0 if not keys else 0.25 if stacked else 0.21 * keys)  # inches above each panel
+    foot, side = 0.62, 0.12
+    wide = (WIDTH - side * (columns + 1)) / columns
+    if scaled:  # room for the scale bar below the mechanism
+        bounds = replace(bounds, bottom=bounds.bottom - 0.26 * bounds.width / wide)
+    tall = float(np.clip(wide * bounds.height / bounds.width, 0.8, 4.4))
+    height = rows * (tall + head) + foot + 0.04
+    figure = Figure(figsize=(WIDTH, height))
     axes = []
     for index in range(count):
         column, row = (0, index) if stacked else (index, 0)
         left = side + column * (wide + side)
-        bottom = height - (row + 1) * (tall + head)
-        part = figure.add_axes((left / width, bottom / height, wide / width, tall / height))
+        bottom = height - 0.04 - (row + 1) * (tall + head)
+        part = figure.add_axes((left / WIDTH, bottom / height, wide / WIDTH, tall / height))
         part.set_axis_off()
         _show(part, bounds, wide / tall)
-        part.text(0.0, 1.0 + 0.1 / tall, titles[index], transform=part.transAxes, fontsize=12.0, fontweight="bold", va="bottom")
-        scale_bar(part)
+        figure.text(left / WIDTH, (bottom + tall + head - 0.05) / height, titles[index], fontsize=12.0, fontweight="bold", va="top")
+        if keys:
+            handles = [Line2D([], [], color=pose.colour, linewidth=3.0, label=pose.label) for pose in poses[index]]
+            figure.legend(
+                handles=handles, loc="upper left", bbox_to_anchor=(left / WIDTH, (bottom + tall + head - 0.3) / height),
+                ncols=len(handles) if stacked else 1, columnspacing=1.8, labelspacing=0.3, handlelength=1.8,
+            )
+        if scaled:
+            scale_bar(part)
         axes.append(part)
     return figure, axes
 
@@ -128,27 +146,31 @@ def _show(axes: Axes, bounds: Bounds, shape: float) -> None:
 def scale_bar(axes: Axes) -> None:
     """A bar of a round length in the lower right corner."""
     left, right = axes.get_xlim()
-    bottom, top = axes.get_ylim()
+    bottom, _ = axes.get_ylim()
     span = right - left
     power = 10.0 ** math.floor(math.log10(0.25 * span))
     length = max(step * power for step in (1.0, 2.0, 5.0) if step * power <= 0.25 * span)
-    x, y = right - 0.015 * span - length, bottom + 0.05 * (top - bottom)
+    x, y = right - 0.015 * span - length, bottom + 0.012 * span
     axes.plot([x, x + length], [y, y], color=INK, linewidth=2.6, solid_capstyle="butt", zorder=9)
     axes.text(x + length / 2, y + 0.012 * span, f"{number(length)} mm", ha="center", va="bottom", fontsize=10.5, zorder=9,
               bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.6})
 
 
-def legend(figure: Figure, poses: Sequence[Pose], parts: Sequence[tuple[str, str, str]] = ()) -> None:
-    """Key below the panels: states of load first, then parts as (name, colour, "line" | "dash" | "patch")."""
-    handles: list[Line2D | Patch] = [Line2D([], [], color=pose.colour, linewidth=3.0, label=pose.label) for pose in poses]
+def legend(figure: Figure, parts: Sequence[tuple[str, str, str]]) -> None:
+    """Key of the parts below the panels, as (name, colour, "patch" | "wall" | "line" | "dash" | "round")."""
+    handles: list[Line2D | Patch] = []
     for name, colour, look in parts:
-        if look == "patch":
-            handles.append(Patch(facecolor=colour, edgecolor=SOFT, linewidth=0.7, label=name))
+        if look in ("patch", "wall"):
+            hatch = "////" if look == "wall" else ""
+            handles.append(Patch(facecolor=colour, edgecolor=INK, linewidth=0.7, hatch=hatch, label=name))
+        elif look == "round":
+            handles.append(Line2D([], [], color=INK, marker="o", markersize=8.5, markerfacecolor=colour, markeredgewidth=1.0,
+                                  linestyle="none", label=name))
         else:
             style = "solid" if look == "line" else (0, (6, 2, 1.2, 2))
-            handles.append(Line2D([], [], color=colour, linewidth=1.4, linestyle=style, label=name))
-    figure.legend(handles=handles, loc="lower center", ncols=3, columnspacing=1.6, handlelength=1.8, labelspacing=0.35,
-                  bbox_to_anchor=(0.5, 0.03 / float(figure.get_figheight())))
+            handles.append(Line2D([], [], color=colour, linewidth=1.6, linestyle=style, label=name))
+    figure.legend(handles=handles, loc="lower center", ncols=4, columnspacing=1.6, handlelength=1.6, labelspacing=0.35,
+                  bbox_to_anchor=(0.5, 0.05 / float(figure.get_figheight())))
 
 
 def strip(axes: Axes, centreline: Array, thickness: float, *, colour: str, zorder: float = 4.0) -> None:
@@ -185,8 +207,9 @@ def joint(axes: Axes, centre: Array, radius: float) -> None:
 
 def bar(axes: Axes, points: Array, width: float, *, colour: str = FAINT, zorder: float = 1.0) -> None:
     """A rigid link of some width along a polyline."""
-    pixels_per_unit = 72.0 * axes.get_position().width * axes.figure.get_figwidth() / abs(np.diff(axes.get_xlim())[0])
-    axes.plot(points[:, 0], points[:, 1], color=colour, linewidth=float(width * pixels_per_unit), solid_capstyle="round",
+    left, right = axes.get_xlim()
+    points_per_unit = 72.0 * WIDTH * float(axes.get_position().width) / (right - left)
+    axes.plot(points[:, 0], points[:, 1], color=colour, linewidth=width * points_per_unit, solid_capstyle="round",
               solid_joinstyle="round", zorder=zorder)
 
 

@@ -1,0 +1,54 @@
+"""One compilation per kind: every response is computed in blocks of one size."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import lru_cache
+from typing import Any
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+from varistiff.actuators.actuator import Actuator, Response
+from varistiff.core.status import Status
+
+BLOCK = 4096
+
+
+@lru_cache(maxsize=1)
+def _respond() -> Callable[..., Any]:
+    return eqx.filter_jit(lambda actuator, deflection, setting: actuator.respond(deflection, setting))
+
+
+def _as_arrays(actuator: Actuator) -> Actuator:
+    """Parameters as arrays, so that another design of the same kind needs no compilation."""
+    return jax.tree.map(lambda leaf: jnp.asarray(leaf) if isinstance(leaf, float) else leaf, actuator)
+
+
+def _padded(values: np.ndarray) -> np.ndarray:
+    """One block, filled up with its last value."""
+    if values.size == BLOCK:
+        return values
+    fill = values[-1] if values.size else 0.0
+    return np.concatenate([values, np.full(BLOCK - values.size, fill)])
+
+
+def respond_block(
+    actuator: Actuator, deflection: np.ndarray, setting: np.ndarray
+) -> tuple[Response, dict[str, np.ndarray]]:
+    """Response and details at up to ``BLOCK`` points, arrays of one shape (n,)."""
+    count = deflection.size
+    response, details = _respond()(_as_arrays(actuator), _padded(deflection), _padded(setting))
+    cut = Response(*(np.asarray(values)[:count] for values in response))
+    return cut, {name: np.asarray(values)[:count] for name, values in details.items()}
+
+
+def details_at(actuator: Actuator, deflection: float, setting: float) -> dict[str, float] | None:
+    """Details at one point, for drawings; None where the status leaves no numbers."""
+    response, details = respond_block(actuator, np.array([float(deflection)]), np.array([float(setting)]))
+    if Status(int(response.status[0])) in (Status.NO_SOLUTION, Status.ELEMENT_TOO_SHORT):
+        return None
+    numbers = {name: float(values[0]) for name, values in details.items()}
+    return None if any(np.isnan(value) for value in numbers.values()) else numbers

@@ -1,0 +1,186 @@
+"""The main job: a design to a directory with its map, datasheet, figures and report."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import secrets
+import shutil
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from varistiff.core.errors import InputError
+from varistiff.core.status import Status
+from varistiff.core.textfile import printable_path
+from varistiff.core.writing import staged_directory
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from varistiff.characteristic.datasheet import Datasheet
+    from varistiff.design.design import Design
+    from varistiff.report.html import Picture
+
+MARKERS = ("map.nc", "datasheet.json", "report.html")  # a directory with all of them is a result of ours
+FILES = (*MARKERS, "datasheet.csv")
+FIGURES = "figures"
+
+
+@dataclass(frozen=True)
+class Analysis:
+    """What ``analyse`` wrote and what it found.
+
+    ``summary`` is for a terminal: the actuator in one line, then every status other than ok with its count and
+    remedy, then the design's warnings.
+    """
+
+    output: Path
+    dataset: xr.Dataset
+    datasheet: Datasheet
+    summary: tuple[str, ...]
+
+
+def analyse(design: Design, output: str | os.PathLike[str], *, progress: bool = False) -> Analysis:
+    """Compute the map of a design and write everything about it to a directory.
+
+    Parameters
+    ----------
+    design : as ``load`` returns it
+    output : directory; made if it does not exist, replaced if it is empty or an earlier result, refused otherwise
+    progress : tell on the standard error stream what is being done
+
+    Written: map.nc (netCDF), datasheet.json, datasheet.csv, figures/*.svg and *.png, report.html. They appear
+    together or not at all, also when the run is interrupted.
+
+    Raises
+    ------
+    InputError : the directory holds something else, or cannot be written
+    """
+    from varistiff.characteristic.datasheet import datasheet, element_strength
+
+    target = Path(os.path.realpath(output))
+    _check_replaceable(target, shown=printable_path(os.fspath(output)))
+    tell = _teller(progress)
+    tell("map")
+    dataset = design.map(progress=progress)
+    strength = element_strength(design.actuator)
+    if strength is not None:
+        dataset.attrs.setdefault("strength", strength)
+    dataset.attrs.setdefault("created", datetime.now(UTC).isoformat(timespec="seconds"))
+    sheet = datasheet(dataset)
+    with _replacing(output, target) as folder:
+        pictures = _write_figures(design, dataset, folder / FIGURES, tell)
+        tell("report")
+        _write_report(design, dataset, sheet, pictures, folder)
+        tell("data")
+        _write_data(dataset, sheet, folder)
+    return Analysis(output=Path(output), dataset=dataset, datasheet=sheet, summary=_summary(design, sheet))
+
+
+def _write_figures(design: Design, dataset: xr.Dataset, folder: Path, tell: _Tell) -> list[Picture]:
+    from varistiff.report.figures import draw_all
+    from varistiff.report.html import Picture
+    from varistiff.report.mechanism import draw_mechanism
+
+    folder.mkdir()
+    pictures = []
+    mechanism = draw_mechanism(design.actuator, dataset)
+    for drawing in ([mechanism] if mechanism else []) + list(draw_all(dataset)):
+        tell(f"figure {drawing.name}")
+        svg = drawing.svg()
+        (folder / f"{drawing.name}.svg").write_text(svg, encoding="utf-8")
+        drawing.save_png(folder / f"{drawing.name}.png")
+        pictures.append(Picture(drawing.name, drawing.title, drawing.caption, svg))
+    return pictures
+
+
+def _write_report(
+    design: Design, dataset: xr.Dataset, sheet: Datasheet, pictures: list[Picture], folder: Path
+) -> None:
+    from varistiff.report.html import render_report
+
+    text = render_report(dataset, sheet, pictures, warnings=design.warnings, path=design.path)
+    (folder / "report.html").write_text(text, encoding="utf-8")
+
+
+def _write_data(dataset: xr.Dataset, sheet: Datasheet, folder: Path) -> None:
+    packed = {name: {"zlib": True, "complevel": 1} for name, variable in dataset.data_vars.items() if variable.size > 1000}
+    dataset.to_netcdf(folder / "map.nc", engine="h5netcdf", encoding=packed)
+    text = json.dumps(sheet.as_dict(), indent=2, ensure_ascii=False, allow_nan=False)
+    (folder / "datasheet.json").write_text(text + "\n", encoding="utf-8")
+    (folder / "datasheet.csv").write_text(sheet.as_csv(), encoding="utf-8")
+
+
+def _summary(design: Design, sheet: Datasheet) -> tuple[str, ...]:
+    from varistiff.report.html import one_line
+
+    lines = [f"{sheet.name} ({sheet.kind}): {one_line(sheet)}"]
+    for entry in sheet.statuses:
+        if entry.status is not Status.OK:
+            share = f"{entry.count} points ({100.0 * entry.fraction:.3g} %)"
+            lines.append(f"{entry.status.label}: {share}. {entry.status.meaning} {entry.status.remedy}")
+    lines += [f"warning: {warning}" for warning in design.warnings]
+    return tuple(lines)
+
+
+def _check_replaceable(target: Path, *, shown: str) -> None:
+    """Refuse a directory with anything in it that an analysis did not write."""
+    if not target.is_dir():
+        return  # missing, or a file: writing says what is wrong with it
+    try:
+        entries = {entry.name: entry for entry in target.iterdir()}
+        foreign = sorted(name for name, entry in entries.items() if not _ours(entry))
+    except OSError as error:
+        raise InputError(f"cannot be read: {error.strerror}; choose another --output", file=shown) from None
+    if not entries:
+        return
+    if foreign or not all(name in entries for name in MARKERS):
+        what = f"holds {foreign[0]!r}, which" if foreign else "is not empty and holds no earlier result that"
+        raise InputError(
+            f"{what} an analysis would not replace; allowed is a new or empty directory, or an earlier result", file=shown
+        )
+
+
+def _ours(entry: Path) -> bool:
+    if entry.name == FIGURES and entry.is_dir() and not entry.is_symlink():
+        return all(part.suffix in (".svg", ".png") and part.is_file() for part in entry.iterdir())
+    return entry.name in FILES and entry.is_file()
+
+
+@contextlib.contextmanager
+def _replacing(output: str | os.PathLike[str], target: Path) -> Iterator[Path]:
+    """Stage a directory; an earlier result steps aside at the last moment and comes back on failure."""
+    aside = target.with_name(f".{target.name[:100]}.{secrets.token_hex(4)}.old")
+    try:
+        with staged_directory(output) as folder:
+            yield folder
+            if target.is_dir():
+                target.rename(aside)
+    except BaseException:
+        if aside.exists() and not target.exists():
+            aside.rename(target)
+        raise
+    shutil.rmtree(aside, ignore_errors=True)
+
+
+class _Tell:
+    """Says on the standard error stream what is being done; on a terminal each line replaces the last."""
+
+    def __call__(self, what: str) -> None:
+        """Say it."""
+
+
+class _TellAloud(_Tell):
+    def __call__(self, what: str) -> None:
+        """Say it."""
+        sys.stderr.write(f"varistiff: {what}\n")
+        sys.stderr.flush()
+
+
+def _teller(progress: bool) -> _Tell:
+    return _TellAloud() if progress else _Tell()

@@ -1,0 +1,172 @@
+"""Quantities: text with a unit of the right kind, and nothing else."""
+
+from __future__ import annotations
+
+import math
+import time
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from varistiff.core import quantity
+from varistiff.core.errors import InputError
+from varistiff.core.quantity import KINDS, Kind, parse_quantity
+from varistiff.core.quantity_units import atoms
+
+
+@pytest.mark.parametrize(
+    "text, kind, value",
+    [
+        ("25.45 mm", quantity.LENGTH, 0.02545),
+        ("0.90 m", quantity.LENGTH, 0.9),
+        ("1.94e11 Pa", quantity.STRESS, 194e9),
+        ("194 GPa", quantity.STRESS, 194e9),
+        ("3 kN/mm²", quantity.STRESS, 3e9),
+        ("5 N/mm2", quantity.STRESS, 5e6),
+        ("180 deg", quantity.ANGLE, math.pi),
+        ("-10deg", quantity.ANGLE, -math.pi / 18.0),
+        ("\u22122 mm", quantity.LENGTH, -0.002),
+        ("+.5 µm", quantity.LENGTH, 5e-7),
+        ("1 in", quantity.LENGTH, 0.0254),
+        ("650 N*m/rad", quantity.ROTATIONAL_STIFFNESS, 650.0),
+        ("1 N*m/deg", quantity.ROTATIONAL_STIFFNESS, 180.0 / math.pi),
+        ("2 N m rad^-1", quantity.ROTATIONAL_STIFFNESS, 2.0),
+        ("394 N/m", quantity.LINEAR_STIFFNESS, 394.0),
+        ("2 N/mm", quantity.LINEAR_STIFFNESS, 2000.0),
+        ("1.5 Nm", quantity.TORQUE, 1.5),
+        ("3 J/rad", quantity.TORQUE, 3.0),
+        ("60 rpm", quantity.ANGULAR_RATE, 2.0 * math.pi),
+        ("7.85 g/cm^3", quantity.DENSITY, 7850.0),
+    ],
+)
+def test_a_quantity_becomes_its_si_value(text: str, kind: Kind, value: float) -> None:
+    # one rounding on each side
+    assert parse_quantity(text, kind) == pytest.approx(value, rel=3e-16)
+
+
+@pytest.mark.parametrize(
+    "text, kind, said",
+    [
+        ("1 J", quantity.TORQUE, "is an energy"),
+        ("1 N*m", quantity.ENERGY, "is a torque"),
+        ("1 Hz", quantity.ANGULAR_RATE, "is a frequency"),
+        ("1 rad/s", quantity.FREQUENCY, "is an angular rate"),
+        ("1 N*m", quantity.ROTATIONAL_STIFFNESS, "is a torque"),
+        ("1 N*m/rad", quantity.TORQUE, "is a rotational stiffness"),
+        ("1 N/m", quantity.STRESS, "is a linear stiffness"),
+        ("1 mm/mm", quantity.ANGLE, "is a pure number"),
+        ("1 deg", quantity.LENGTH, "is an angle"),
+        ("1 kg", quantity.FORCE, "is a mass"),
+        ("1 m/s", quantity.LENGTH, "of another kind"),
+        ("1 mPa", quantity.STRESS, 'did you mean "MPa"'),
+        ("20 degC", quantity.ANGLE, "unknown unit"),
+        ("3 %", quantity.LENGTH, "cannot read the unit"),
+        ("0.9", quantity.LENGTH, "has no unit"),
+        ("1e3", quantity.LENGTH, "has no unit"),
+        (0.9, quantity.LENGTH, "has no unit"),
+        (0, quantity.ANGLE, "has no unit"),
+        (True, quantity.LENGTH, "is true"),
+        (None, quantity.LENGTH, "is nothing"),
+        (["1 mm"], quantity.LENGTH, "is a list"),
+        ("", quantity.LENGTH, "is empty"),
+        ("nan mm", quantity.LENGTH, "not a finite number"),
+        ("-inf mm", quantity.LENGTH, "not a finite number"),
+        (math.nan, quantity.LENGTH, "not a finite number"),
+        ("1e400 mm", quantity.LENGTH, "not finite"),
+        ("1e308 GPa", quantity.STRESS, "not finite"),
+        ("25,4 mm", quantity.LENGTH, "decimal comma"),
+        ("mm", quantity.LENGTH, "does not begin with a number"),
+        ("1_000 mm", quantity.LENGTH, "cannot read the unit"),
+        ("٣ mm", quantity.LENGTH, "does not begin with a number"),
+        ("1 mm; 2 mm", quantity.LENGTH, "cannot read the unit"),
+        ("1 N**m", quantity.TORQUE, "cannot read the unit"),
+        ("1 (mm)", quantity.LENGTH, "cannot read the unit"),
+        ("1 mm*", quantity.LENGTH, "cannot read the unit"),
+    ],
+)
+def test_anything_else_is_refused_with_an_example(text: object, kind: Kind, said: str) -> None:
+    with pytest.raises(InputError) as caught:
+        parse_quantity(text, kind)
+    assert said in str(caught.value)
+    assert kind.name in str(caught.value)
+    assert kind.example in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["9**9**9 mm", "1e999999999 mm", "1 m^999999999", "1 m**9999", "1" * 10**6 + " mm", "1 " + "m*" * 10**6 + "m"],
+)
+def test_nothing_is_evaluated(text: str) -> None:
+    start = time.perf_counter()
+    with pytest.raises(InputError) as caught:
+        parse_quantity(text, quantity.LENGTH)
+    assert time.perf_counter() - start < 0.5  # 10**999999999 alone would take minutes
+    assert len(str(caught.value)) < 250
+
+
+@pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.name)
+def test_the_example_of_a_kind_is_of_no_other_kind(kind: Kind) -> None:
+    assert [other.name for other in KINDS if quantity.kind_of(kind.example, (other,))] == [kind.name]
+
+
+def parsed(text: str, kind: Kind) -> tuple[float, str]:
+    """The value, or the line that refuses it; any other exception goes through."""
+    try:
+        return parse_quantity(text, kind), ""
+    except InputError as error:
+        return 0.0, str(error)
+
+
+NUMBERS = st.floats(allow_nan=False, allow_infinity=False, min_value=-1e200, max_value=1e200)
+
+
+@given(NUMBERS)
+def test_a_number_in_si_units_comes_back_exactly(number: float) -> None:
+    assert parse_quantity(f"{number!r} m", quantity.LENGTH) == number
+
+
+@given(st.integers(min_value=-(10**17), max_value=10**17))
+def test_the_unit_does_not_change_the_value(micrometres: int) -> None:
+    """Exactly: the hash of a design must not see in which unit a length was written."""
+    texts = (f"{micrometres}e-6 m", f"{micrometres}e-3 mm", f"{micrometres}e-4 cm", f"{micrometres} um")
+    assert len({parse_quantity(text, quantity.LENGTH) for text in texts}) == 1
+
+
+@given(st.text(max_size=60), st.sampled_from(KINDS))
+def test_any_text_gives_a_finite_number_or_one_line(text: str, kind: Kind) -> None:
+    number, line = parsed(text, kind)
+    assert math.isfinite(number)
+    assert line.isprintable()
+    assert len(line) < 250
+
+
+@given(st.text(alphabet="0123456789.eE+-*/^ mNradgPJ²", max_size=30), st.sampled_from(KINDS))
+def test_text_that_looks_like_a_quantity_does_no_harm(text: str, kind: Kind) -> None:
+    number, line = parsed(text, kind)
+    assert math.isfinite(number)
+    assert line.isprintable()
+
+
+def test_every_unit_agrees_with_an_independent_table() -> None:
+    pint = pytest.importorskip("pint")
+    registry = pint.UnitRegistry()
+    base = {
+        "length": "m",
+        "angle": "rad",
+        "force": "N",
+        "mass": "kg",
+        "time": "s",
+        "pressure": "Pa",
+        "energy": "J",
+        "frequency": "Hz",
+    }
+    other_names = {"Nm": "N*m", "Nmm": "N*mm", "lb": "pound", "L": "liter", "rev": "turn", "h": "hour"}
+    for symbol, unit in atoms().items():
+        name = other_names.get(symbol, symbol)
+        if symbol.endswith("Nm"):
+            name = f"{symbol[:-1]}*m"
+        expected = registry.Quantity(1.0, name)
+        si = registry.Quantity(1.0, "*".join(f"{base[measure]}**{power}" for measure, power in unit.signature))
+        # a few roundings of doubles in the other table
+        assert float(unit.factor) == pytest.approx((expected / si).to_base_units().magnitude, rel=1e-14), symbol

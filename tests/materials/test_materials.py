@@ -1,0 +1,111 @@
+"""The built-in materials and a user's own."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from varistiff.core.errors import InputError
+from varistiff.materials import Material, builtin_materials, find_material, read_materials
+
+EXPECTED = {
+    "spring_steel_1075",
+    "spring_steel_1095",
+    "spring_steel_5160",
+    "spring_steel_51crv4",
+    "music_wire",
+    "stainless_304",
+    "aluminium_6061",
+    "aluminium_7075",
+    "titanium_ti6al4v",
+    "low_carbon_steel",
+    "pa2200",
+    "pe",
+    "pom",
+    "peek",
+    "tpu",
+    "glass_fibre_laminate",
+    "carbon_fibre_laminate",
+}
+METALS = ("steel", "stainless", "aluminium", "titanium", "wire")
+
+
+def test_the_table_has_what_was_promised() -> None:
+    assert set(builtin_materials()) >= EXPECTED
+
+
+@pytest.mark.parametrize("material", builtin_materials().values(), ids=lambda material: material.key)
+def test_every_value_is_plausible_and_has_a_source(material: Material) -> None:
+    assert material.youngs_modulus is not None
+    assert material.density is not None
+    for name in ("youngs_modulus", "shear_modulus", "density", "yield_strength", "fatigue_limit"):
+        known = getattr(material, name)
+        assert known is None or len(known.source) > 8
+    assert 10e6 < material.youngs_modulus.value < 250e9
+    assert 900.0 < material.density.value < 8000.0
+    if material.yield_strength is not None:
+        # more than 10 % of elastic strain would be no structural material
+        assert 5e-4 < material.yield_strength.value / material.youngs_modulus.value < 0.1
+    if material.shear_modulus is not None and any(word in material.key for word in METALS):
+        poisson = material.youngs_modulus.value / (2.0 * material.shear_modulus.value) - 1.0
+        assert 0.25 < poisson < 0.36  # isotropic metals
+    if material.fatigue_limit is not None and "304" not in material.key:
+        assert material.yield_strength is not None
+        assert material.fatigue_limit.value < material.yield_strength.value
+
+
+def test_the_near_miss_is_named() -> None:
+    with pytest.raises(
+        InputError, match=r'unknown material "spring_steel_1074" \(did you mean "spring_steel_1075"\?\)'
+    ):
+        find_material("spring_steel_1074")
+
+
+def write(tmp_path: Path, text: str) -> Path:
+    path = tmp_path / "mine.yaml"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def test_a_users_file_adds_and_replaces(tmp_path: Path) -> None:
+    path = write(
+        tmp_path,
+        "bronze:\n  name: Spring bronze\n  source: our tensile test 12\n  youngs_modulus: 110 GPa\n"
+        "  yield_strength: {value: 500 MPa, source: supplier}\n"
+        "pa2200: {youngs_modulus: 1.5 GPa, source: our test}\n",
+    )
+    own = read_materials(path)
+    bronze = find_material("bronze", extra=own)
+    assert bronze.youngs_modulus is not None
+    assert (bronze.youngs_modulus.value, bronze.youngs_modulus.source) == (110e9, "our tensile test 12")
+    assert bronze.yield_strength is not None
+    assert bronze.yield_strength.source == "supplier"
+    assert bronze.shear_modulus is None
+    replaced = find_material("pa2200", extra=own).youngs_modulus
+    assert replaced is not None
+    assert replaced.value == 1.5e9
+
+
+@pytest.mark.parametrize(
+    "text, said",
+    [
+        ("bronze: {youngs_modulus: 110 GPa}", "bronze.youngs_modulus: has no source"),
+        ("bronze: {youngs_modulus: 110, source: x}", "bronze.youngs_modulus: 110 has no unit"),
+        ("bronze: {youngs_modulus: -1 GPa, source: x}", "above zero"),
+        ("bronze: {density: 8 GPa, source: x}", "is a stress or modulus; allowed is a density"),
+        ("bronze: {youngs: 110 GPa, source: x}", 'did you mean "youngs_modulus"'),
+        ("bronze: {density: {value: 1 kg/m^3, sauce: x}}", 'did you mean "source"'),
+        ("bronze: 3", "allowed is a mapping"),
+        ("- bronze", "allowed is a mapping"),
+        ("Bronze!: {}", "no material name"),
+        ("bronze: {name: [1]}", "must be text"),
+        ("a: {}\n---\nb: {}", "holds 2 YAML documents"),
+    ],
+)
+def test_a_wrong_file_is_one_line(tmp_path: Path, text: str, said: str) -> None:
+    path = write(tmp_path, text)
+    with pytest.raises(InputError) as caught:
+        read_materials(path)
+    assert str(caught.value).startswith(f"{path}: ")
+    assert said in str(caught.value)
