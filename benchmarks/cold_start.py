@@ -42,7 +42,9 @@ def table() -> list[str]:
             lines = [f"{a!r},{b!r}" for a, b in zip(d.tolist(), s.tolist(), strict=True)]
             points.write_text("deflection,setting\n" + "\n".join(lines) + "\n", encoding="utf-8")
             out = str(Path(folder) / f"{path.stem}-out.csv")
-            jobs.append((f"`evaluate` {path.name}, 1000 points", ["evaluate", str(path), str(points), "--output", out], 2))
+            jobs.append(
+                (f"`evaluate` {path.name}, 1000 points", ["evaluate", str(path), str(points), "--output", out], 2)
+            )
             jobs.append((f"`analyse` {path.name}", ["analyse", str(path), "--output", f"{folder}/{path.stem}"], 2))
         for name, arguments, rounds in jobs:
             wall, processor = _run(arguments, rounds)

@@ -133,37 +133,36 @@ def _rate(t: Real, ratio: Real) -> Real:
     return 1 - turn + ratio * mp.sin(gamma) * turn / mp.sqrt(1 - (ratio * mp.cos(gamma)) ** 2)
 
 
-def _float_rates(t: NDArray[np.float64], ratio: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Values of beta and d(beta)/dt in float64: only to find where to look."""
-    bent = np.minimum(t, math.pi - t)
-    s = np.sin(t)
+def _float_rates(rest: NDArray[np.float64], ratio: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Values of beta and d(beta)/dt at t = pi - rest in float64: only to find where to look."""
+    t, s, c = math.pi - rest, np.sin(rest), -np.cos(rest)
     below = 2 * s**1.5 * elliprd(1 - s, 1 + s, 1.0) / 3
-    second = np.where(t > bent, 2 * math.pi / VARPI - below, below)
+    second = np.where(t > rest, 2 * math.pi / VARPI - below, below)
     tangent = second / (2 * np.sqrt(s))
     gamma = np.arctan(tangent)
-    turn = (0.5 - second * np.cos(t) / (4 * s**1.5)) / (1 + tangent**2)
+    turn = (0.5 - second * c / (4 * s**1.5)) / (1 + tangent**2)
     beta = t - gamma - np.arcsin(ratio * np.cos(gamma))
     return beta, 1 - turn + ratio * np.sin(gamma) * turn / np.sqrt(1 - (ratio * np.cos(gamma)) ** 2)
 
 
 @lru_cache(maxsize=4096)
 def _near_fold(ratio: float) -> tuple[float, float]:
-    """Slopes just below and just beyond the fold: the first place where beta falls, ever more finely."""
-    low, high = 1e-3, math.pi - 1e-3
+    """180 degrees less the slopes just below and just beyond the fold, where beta first falls."""
+    # measured from 180 degrees, where the fold goes when r/rho goes to 1
+    rest = np.append(np.linspace(math.pi - 1e-3, 0.01, 400), np.geomspace(0.01, 1e-12, 400)[1:])
     for _ in range(3):
-        grid = np.linspace(low, high, 400)
-        falling = _float_rates(grid, ratio)[1] < 0
+        falling = _float_rates(rest, ratio)[1] < 0
         if not falling.any():
             raise BeyondFoldError("no fold below 180 degrees")
-        first = int(np.argmax(falling))
-        low, high = float(grid[first - 1]), float(grid[first])
-    return low - 1e-8, high + 1e-8
+        first = max(int(np.argmax(falling)), 1)
+        rest = np.linspace(rest[first - 1], rest[first], 400)
+    return rest[0] * (1 + 1e-8), rest[-1] * (1 - 1e-8)
 
 
 @lru_cache(maxsize=4096)
 def _fold(ratio: Real, _precision: int) -> Real:
-    low, high = _near_fold(float(ratio))
-    return _bracketed(lambda t: -_rate(t, ratio), mp.mpf(low), mp.mpf(high))
+    low, high = (mp.pi - mp.mpf(rest) for rest in _near_fold(float(ratio)))
+    return _bracketed(lambda t: -_rate(t, ratio), low, high)
 
 
 def fold(ratio: Real) -> tuple[Real, Real]:
@@ -202,7 +201,7 @@ def contact(cx: Real, cy: Real, *, radius: Real, flexural_rigidity: Real) -> Con
 
 def _slope(ratio: Real, beta: Real) -> Real:
     """Slope at the contact on the stable branch."""
-    end = mp.mpf(_near_fold(float(ratio))[0])
+    end = mp.pi - mp.mpf(_near_fold(float(ratio))[0])
     if beta > polar_angle(end, ratio):  # within 1e-4 rad of the fold: the fold itself bounds the bracket
         low, (end, beta_fold) = end, fold(ratio)
         if beta > beta_fold:
@@ -211,7 +210,7 @@ def _slope(ratio: Real, beta: Real) -> Real:
     low, high = 0.0, float(end)
     for _ in range(2):
         grid = np.linspace(low, high, 2001)
-        values = np.append(-np.inf, _float_rates(grid[1:], float(ratio))[0])
+        values = np.append(-np.inf, _float_rates(math.pi - grid[1:], float(ratio))[0])
         cell = min(max(int(np.searchsorted(values, float(beta))), 1), 2000)
         low, high = float(grid[cell - 1]), float(grid[cell])
     bracket = mp.mpf(low), mp.mpf(high)

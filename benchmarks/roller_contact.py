@@ -59,9 +59,7 @@ def errors(sample: Problems) -> tuple[np.ndarray, float]:
         exact = (truth.slope, truth.force, truth.length, truth.moment, truth.thrust, truth.energy, truth.stiffness)
         f = truth.force
         scale = (truth.slope, f, truth.length, f * x_r, f, truth.energy, f * x_r**2)
-        found = [
-            float(abs(mp.mpf(float(v)) - e) / s) for v, e, s in zip(values[:, index], exact, scale, strict=True)
-        ]
+        found = [float(abs(mp.mpf(float(v)) - e) / s) for v, e, s in zip(values[:, index], exact, scale, strict=True)]
         if truth.slope > 1e-3:
             worst = np.maximum(worst, found)
         else:

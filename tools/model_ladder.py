@@ -62,7 +62,10 @@ def figure(cases: dict[str, Ladder]) -> style.Drawing:
     from matplotlib.figure import Figure
     from matplotlib.ticker import FuncFormatter
 
-    shown = {"Roller beam": cases["roller beam, any setting"], "Slider leaf joint, 25 mm": cases["slider leaf joint, 25 mm"]}
+    shown = {
+        "Roller beam": cases["roller beam, any setting"],
+        "Slider leaf joint, 25 mm": cases["slider leaf joint, 25 mm"],
+    }
     colours = (style.BLUE, style.VERMILION, style.GREEN, style.PURPLE, style.ORANGE)
     dashes = ("solid", (0, (5, 1.5)), (0, (1.2, 1.4)), (0, (5, 1.5, 1.2, 1.5)), (0, (9, 2)))
     with style.styled():

@@ -79,9 +79,11 @@ class Case:
 
     @property
     def reach(self) -> tuple[float, float]:
-        """Largest |deflection| and smallest |setting|: scales of the steps of differences."""
+        """Scales of the steps of differences: largest |deflection|, smallest |setting| or its range."""
         largest = max(abs(end) for region in self.deflections for end in region)
-        return largest, (1.0 if self.setting is None else min(abs(end) for end in self.setting))
+        if self.setting is None:
+            return largest, 1.0
+        return largest, min(*(abs(end) for end in self.setting), self.setting[1] - self.setting[0])
 
     def place(self, unit: Floats) -> tuple[Floats, Floats]:
         """Points (deflection, setting) of numbers in the unit square, shape (POINTS, 2)."""
@@ -231,9 +233,7 @@ def _series(scale: Scale) -> Actuator:
 
 def _maccepa(scale: Scale) -> Actuator:
     size = scale.length
-    return Maccepa(
-        spring_rate=394.0 * scale.modulus * size, lever_length=0.036 * size, anchor_distance=0.135 * size
-    )
+    return Maccepa(spring_rate=394.0 * scale.modulus * size, lever_length=0.036 * size, anchor_distance=0.135 * size)
 
 
 def _both(low: float, high: float) -> tuple[Region, ...]:

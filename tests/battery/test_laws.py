@@ -12,7 +12,7 @@ from collections.abc import Callable
 import jax.numpy as jnp
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
@@ -31,7 +31,7 @@ def _floor(case: Case, *, setting: bool = False) -> float:
 
 
 every_case = pytest.mark.parametrize("case", CATALOGUE, ids=lambda case: case.name)
-some = settings(max_examples=8, deadline=None, derandomize=True)
+some = settings(max_examples=8, deadline=None, derandomize=True, phases=(Phase.explicit, Phase.generate, Phase.shrink))
 
 
 def difference(f: Callable[[float], Floats], step: float) -> Floats:

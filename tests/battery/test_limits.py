@@ -46,7 +46,7 @@ def test_roller_beam_begins_as_a_linear_cantilever() -> None:
     assert here["stress"] == pytest.approx(stress, rel=1e-5)
 
 
-@pytest.mark.parametrize("name, sign", [("roller_lower", 1.0), ("roller_upper", -1.0)])
+@pytest.mark.parametrize(("name", "sign"), [("roller_lower", 1.0), ("roller_upper", -1.0)])
 def test_single_roller_touches_where_geometry_says(name: str, sign: float) -> None:
     """A roller's surface meets the beam's surface, half a thickness from its centreline.
 
@@ -174,9 +174,7 @@ def test_maccepa_at_rest() -> None:
     assert isinstance(case.actuator, Maccepa)
     rate, lever, distance, pretension = 394.0, 0.036, 0.135, 0.012
     here = _at(case, 0.0, pretension)
-    assert here["stiffness"] == pytest.approx(
-        rate * lever * distance * pretension / (distance - lever), rel=1e-12
-    )
+    assert here["stiffness"] == pytest.approx(rate * lever * distance * pretension / (distance - lever), rel=1e-12)
     assert here["energy"] == pytest.approx(rate * pretension**2 / 2, rel=1e-12)
     assert here["adjusting_load"] == pytest.approx(rate * pretension, rel=1e-12)
     away = _at(case, 0.7, pretension)

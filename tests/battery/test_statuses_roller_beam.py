@@ -6,8 +6,8 @@ import math
 from collections.abc import Callable
 
 import pytest
-from independent.references.rod_bvp import NoShapeError, roller_contact
 
+from independent.references.rod_bvp import NoShapeError, roller_contact
 from varistiff.actuators import FixedPair, RollerBeam, Rollers, SingleLower, SingleUpper, SwivellingPair
 from varistiff.core.status import Status
 from varistiff.elastic.leaf import Leaf
@@ -122,7 +122,7 @@ def test_too_short_comes_before_yielded_and_after_no_solution() -> None:
 
 
 @pytest.mark.parametrize(
-    "rollers, across, reach, sign",
+    ("rollers", "across", "reach", "sign"),
     [
         (SingleLower(offset=-0.011, radius=RADIUS), -0.011, RADIUS + THICKNESS / 2, 1.0),
         (SingleUpper(offset=0.009, radius=RADIUS), 0.009, RADIUS + THICKNESS / 2, -1.0),
@@ -153,7 +153,7 @@ def test_a_picometre_is_no_contact() -> None:
 
 
 @pytest.mark.parametrize(
-    "clearance, length, sign",
+    ("clearance", "length", "sign"),
     [(0.0004, 0.9, 1.0), (0.0004, 0.9, -1.0), (0.0015, 3.0, 1.0), (0.0015, 3.0, -1.0)],
     ids=["tight", "tight, upper", "loose", "loose, upper"],
 )
@@ -190,7 +190,7 @@ def test_both_rollers_of_a_fixed_pair(clearance: float, length: float, sign: flo
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_second_roller_on_the_bent_part(sign: float) -> None:
     """With the joint ahead of the clamp the link turns more than the beam: the other roller nears the bent part."""
-    setting, clearance, ahead = 0.2, 0.0008, 0.2
+    setting, clearance, ahead = 0.2, 0.0002, 0.2
     reach = 0.01 + THICKNESS / 2
     device = RollerBeam(
         beam=beam(0.7),

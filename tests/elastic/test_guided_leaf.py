@@ -13,10 +13,16 @@ import pytest
 from varistiff.core.errors import InputError
 from varistiff.elastic.guided_leaf import GuidedLeaf
 from varistiff.elastic.leaf import Leaf
+from varistiff.elastic.leaf_law import LeafState
 
 LEAF = Leaf(youngs_modulus=70e9, width=0.03, thickness=0.0008)
 RISE = 0.06
 EI = 70e9 * 0.03 * 0.0008**3 / 12.0
+
+
+@jax.jit
+def compiled(span: jax.Array) -> LeafState:
+    return GuidedLeaf().respond(LEAF, span, jnp.asarray(RISE))
 
 
 def integrals(q: mp.mpf) -> tuple[mp.mpf, mp.mpf, mp.mpf]:
@@ -61,7 +67,7 @@ def reference(steepness: float) -> tuple[float, ...]:
 @pytest.mark.parametrize("steepness", [0.045, 0.55, 1.5, 18.0])
 def test_printed_integrals(steepness: float) -> None:
     aspect, energy, force, stiffness, curvature, length = reference(steepness)
-    state = GuidedLeaf().respond(LEAF, jnp.asarray(aspect * RISE), jnp.asarray(RISE))
+    state = compiled(jnp.asarray(aspect * RISE))
     assert float(state.energy) == pytest.approx(energy * EI / RISE, rel=1e-12)
     assert float(state.force) == pytest.approx(force * EI / RISE**2, rel=1e-7)  # differences of step 1e-5
     assert float(state.stiffness) == pytest.approx(stiffness * EI / RISE**3, rel=1e-6)
@@ -81,7 +87,7 @@ def derivatives(energy: Callable[[jax.Array], jax.Array], span: jax.Array) -> tu
 
 def test_shallow_leaf_is_the_linear_beam() -> None:
     span = 1e5 * RISE
-    state = GuidedLeaf().respond(LEAF, jnp.asarray(span), jnp.asarray(RISE))
+    state = compiled(jnp.asarray(span))
     assert float(state.energy) == pytest.approx(6.0 * EI * RISE**2 / span**3, rel=1e-9)
     assert float(state.force) == pytest.approx(-18.0 * EI * RISE**2 / span**4, rel=1e-9)
     assert float(state.stiffness) == pytest.approx(72.0 * EI * RISE**2 / span**5, rel=1e-9)
@@ -90,7 +96,7 @@ def test_shallow_leaf_is_the_linear_beam() -> None:
 def test_steep_leaf_keeps_its_digits_where_the_slope_is_vertical() -> None:
     # q -> 4: the bends keep their shape, U span/EI -> 8 (sqrt 2 - 1), and a straight vertical part grows
     span = 1e-4 * RISE
-    state = GuidedLeaf().respond(LEAF, jnp.asarray(span), jnp.asarray(RISE))
+    state = compiled(jnp.asarray(span))
     limit = 8.0 * (np.sqrt(2.0) - 1.0) * EI
     assert float(state.energy) == pytest.approx(limit / span, rel=1e-13)
     assert float(state.force) == pytest.approx(-limit / span**2, rel=1e-13)
@@ -105,7 +111,7 @@ def test_gradients_agree_with_the_closed_forms_over_all_aspect_ratios() -> None:
     def energy(x: jax.Array) -> jax.Array:
         return law.energy(LEAF, x, jnp.asarray(RISE))
 
-    state = jax.jit(lambda x: law.respond(LEAF, x, jnp.asarray(RISE)))(span)
+    state = compiled(span)
     force, stiffness = derivatives(energy, span)
     np.testing.assert_allclose(force, state.force, rtol=1e-13)
     np.testing.assert_allclose(stiffness, state.stiffness, rtol=1e-11)  # derivatives of the polynomials
@@ -114,7 +120,7 @@ def test_gradients_agree_with_the_closed_forms_over_all_aspect_ratios() -> None:
 
 def test_no_leaf_without_a_positive_span() -> None:
     span = jnp.asarray([-0.01, 0.0, np.nan, 0.1])
-    state = GuidedLeaf().respond(LEAF, span, jnp.asarray(RISE))
+    state = compiled(span)
     assert np.asarray(state.exists).tolist() == [False, False, False, True]
     assert np.isnan(np.asarray(state.energy)).tolist() == [True, True, True, False]
     with pytest.raises(InputError, match="larger span"):
@@ -132,5 +138,5 @@ def test_drawn_shape_has_a_moment_linear_in_x(aspect: float) -> None:
     shape = x * (1.0 - x)
     q = sine[2000] / shape[2000]
     np.testing.assert_allclose(sine, q * shape, atol=1e-4)  # chords of 4000 pieces, longest at the bends
-    length = float(GuidedLeaf().respond(LEAF, jnp.asarray(span), jnp.asarray(RISE)).arc_length)
+    length = float(compiled(jnp.asarray(span)).arc_length)
     assert np.hypot(*step.T).sum() == pytest.approx(length, rel=1e-6)

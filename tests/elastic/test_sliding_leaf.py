@@ -24,7 +24,12 @@ EI = 70e9 * 0.03 * 0.0008**3 / 12.0
 
 
 def state_at(aspect: float) -> LeafState:
-    return SlidingLeaf().respond(LEAF, jnp.asarray(aspect * RISE), jnp.asarray(RISE))
+    return compiled(jnp.asarray(aspect * RISE))
+
+
+@jax.jit
+def compiled(span: jax.Array) -> LeafState:
+    return SlidingLeaf().respond(LEAF, span, jnp.asarray(RISE))
 
 
 @cache

@@ -60,6 +60,4 @@ def placed(rollers: Rollers, deflection: float, setting: float, *, lower: bool) 
         radius = rollers.radius + BEAM.thickness / 2
         offset = rollers.offset - side * (radius + rollers.clearance)
     arm = turned(WALL + deflection, (setting, offset))
-    return Placed(
-        (joint[0] + arm[0], joint[1] + arm[1]), radius, joint, turned(WALL + deflection, (1, 0)), lower
-    )
+    return Placed((joint[0] + arm[0], joint[1] + arm[1]), radius, joint, turned(WALL + deflection, (1, 0)), lower)

@@ -78,7 +78,7 @@ def test_loads_are_derivatives_of_the_energy(reference: ModuleType, upper: bool,
         assert abs((up - 2 * here.energy + down) / step**2 / here.stiffness - 1) < mp.mpf("1e-17")
 
 
-@pytest.mark.parametrize("degrees, radius", [(12.0, 0.02), (55.0, -0.01), (96.0, 0.0)])
+@pytest.mark.parametrize(("degrees", "radius"), [(12.0, 0.02), (55.0, -0.01), (96.0, 0.0)])
 def test_contact_is_the_rod(reference: ModuleType, degrees: float, radius: float) -> None:
     """Boundary-value rod with unknown length, converged to 1e-10."""
     cx, cy = 0.35 * math.cos(math.radians(degrees)), 0.35 * math.sin(math.radians(degrees))

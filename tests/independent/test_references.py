@@ -55,16 +55,12 @@ def test_roller_and_follower_force_are_one_problem() -> None:
     assert held.energy == pytest.approx(free.energy, rel=1e-9)
 
 
-@pytest.mark.parametrize(
-    "degrees, radius", [(18.0, 0.01), (34.0, -0.02), (57.0, 0.0), (75.0, 0.05), (92.0, 0.0)]
-)
+@pytest.mark.parametrize(("degrees", "radius"), [(18.0, 0.01), (34.0, -0.02), (57.0, 0.0), (75.0, 0.05), (92.0, 0.0)])
 def test_minimum_of_energy_is_the_rod_in_equilibrium(degrees: float, radius: float) -> None:
     """Two methods with nothing in common; tolerances are ten times the differences seen."""
     centre = (0.4 * math.cos(math.radians(degrees)), 0.4 * math.sin(math.radians(degrees)))
     shape = roller_contact(centre, radius=radius, flexural_rigidity=13.0)
-    found = [
-        obstacle(centre, radius=radius, flexural_rigidity=13.0, length=0.9, elements=n) for n in (30, 60)
-    ]
+    found = [obstacle(centre, radius=radius, flexural_rigidity=13.0, length=0.9, elements=n) for n in (30, 60)]
     assert extrapolated(found[0].energy, found[1].energy) == pytest.approx(shape.energy, rel=1e-4)
     assert extrapolated(found[0].force, found[1].force) == pytest.approx(shape.force, rel=1e-3)
     assert extrapolated(found[0].slope, found[1].slope) == pytest.approx(shape.end_slope, rel=1e-3)

@@ -83,16 +83,12 @@ def test_against_the_least_energy(name: str, degrees: float) -> None:
     deflection, setting = math.radians(degrees if lower else -degrees), 0.4
     where = placed(rollers, deflection, setting, lower=lower)
     found = [
-        obstacle(
-            where.mirrored(), radius=where.radius, flexural_rigidity=EI, length=BEAM.length, elements=n
-        )
+        obstacle(where.mirrored(), radius=where.radius, flexural_rigidity=EI, length=BEAM.length, elements=n)
         for n in (32, 64)
     ]
     here = evaluate(device(rollers), [deflection], [setting])
     assert here.energy[0] == pytest.approx(extrapolated(found[0].energy, found[1].energy), rel=1e-4)
-    assert here.details["contact_force"][0] == pytest.approx(
-        extrapolated(found[0].force, found[1].force), rel=1e-3
-    )
+    assert here.details["contact_force"][0] == pytest.approx(extrapolated(found[0].force, found[1].force), rel=1e-3)
     assert here.details["active_length"][0] == pytest.approx(found[1].active_length, rel=1e-3)
     assert abs(here.details["contact_slope"][0]) == pytest.approx(found[1].slope, rel=2e-3)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 
 import pytest
@@ -64,6 +65,6 @@ def test_small_theory_is_the_limit_of_the_exact_one() -> None:
         gaps.append((small.load[0] / exact.load[0] - 1, small.stiffness[0] / exact.stiffness[0] - 1))
     assert 0.01 < abs(gaps[0][0]) < 0.03
     assert 0.03 < abs(gaps[0][1]) < 0.10
-    for (torque, stiffness), (torque_half, stiffness_half) in zip(gaps, gaps[1:], strict=False):
+    for (torque, stiffness), (torque_half, stiffness_half) in itertools.pairwise(gaps):
         assert torque / torque_half == pytest.approx(4.0, rel=0.05)
         assert stiffness / stiffness_half == pytest.approx(4.0, rel=0.05)

@@ -1,6 +1,7 @@
 """Variable stiffness actuators, one published device per file, each an elastic energy in SI units."""
 
 from varistiff.actuators.actuator import Actuator, Quantity, Response
+from varistiff.actuators.antagonistic_leaves import AntagonisticLeaves
 from varistiff.actuators.groove import Groove
 from varistiff.actuators.leaf_joint_theory import LargeDeflection, LeafJointTheory, SmallDeflection
 from varistiff.actuators.maccepa import Maccepa
@@ -15,6 +16,7 @@ precision.enable()
 
 __all__ = [
     "Actuator",
+    "AntagonisticLeaves",
     "FixedPair",
     "Groove",
     "LargeDeflection",

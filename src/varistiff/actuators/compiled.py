@@ -41,7 +41,7 @@ def respond_block(
     """Response and details at up to ``BLOCK`` points, arrays of one shape (n,)."""
     count = deflection.size
     response, details = _respond()(_as_arrays(actuator), _padded(deflection), _padded(setting))
-    cut = Response(*(np.asarray(values)[:count] for values in response))
+    cut = jax.tree.map(lambda values: np.asarray(values)[:count], response)
     return cut, {name: np.asarray(values)[:count] for name, values in details.items()}
 
 

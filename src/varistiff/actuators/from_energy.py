@@ -10,9 +10,7 @@ import jax.numpy as jnp
 from varistiff.actuators.actuator import Field, Response
 
 
-def respond_from_energy(
-    energy: Callable[[Field, Field], Field], deflection: Field, setting: Field
-) -> Response:
+def respond_from_energy(energy: Callable[[Field, Field], Field], deflection: Field, setting: Field) -> Response:
     """Load, stiffness and adjusting load by differentiating V(deflection, setting); status ok, stress NaN.
 
     The energy must be smooth and act elementwise: forward derivatives along one direction then serve every point

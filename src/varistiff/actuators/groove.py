@@ -88,9 +88,9 @@ class Groove(eqx.Module):
         return (found + jnp.pi) % turn - jnp.pi
 
     def reaches(self, angle: Field) -> Array:
-        """Whether the disc angle lies on the groove, from A to C (a rounding error beyond is allowed)."""
+        """Whether the disc angle lies on the groove, beyond A and up to C (a rounding error beyond C is allowed)."""
         slack = 1e-12 * self.outer_angle
-        return (angle >= 0.0) & (angle <= self.outer_angle + slack)
+        return (angle > 0.0) & (angle <= self.outer_angle + slack)
 
     def defect(self) -> str | None:
         """What makes this groove unusable, None for a good one."""
@@ -101,7 +101,5 @@ class Groove(eqx.Module):
         travel = self.outer_radius - self.inner_radius
         wanted = (0.0, travel)
         if any(abs(end - want) > 1e-9 * self.outer_radius for end, want in zip(ends, wanted, strict=True)):
-            return (
-                "the groove turns back on itself: one disc angle meets it twice; choose a larger arc_radius"
-            )
+            return "the groove turns back on itself: one disc angle meets it twice; choose a larger arc_radius"
         return None

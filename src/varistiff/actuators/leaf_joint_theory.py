@@ -36,9 +36,7 @@ class LeafJointTheory(eqx.Module):
     """How a leaf answers a slider that turns about the output axis."""
 
     @abstractmethod
-    def solve(
-        self, leaf: Leaf, count: int, clamp_radius: float, deflection: Field, length: Field
-    ) -> LeafJointState:
+    def solve(self, leaf: Leaf, count: int, clamp_radius: float, deflection: Field, length: Field) -> LeafJointState:
         """State at deflection angles [rad] and active lengths l_1 > 0 [m] of one shape."""
 
 
@@ -50,9 +48,7 @@ class SmallDeflection(LeafJointTheory):
     Valid while the leaf turns by less than 10 degrees at the slider; no solution at or beyond 90 degrees of phi.
     """
 
-    def solve(
-        self, leaf: Leaf, count: int, clamp_radius: float, deflection: Field, length: Field
-    ) -> LeafJointState:
+    def solve(self, leaf: Leaf, count: int, clamp_radius: float, deflection: Field, length: Field) -> LeafJointState:
         """Closed forms; dV/dl_1 = -N E b h^3 (1 - cos phi)(l_1^2 + 4 r_2 l_1 + 3 r_2^2)/(4 l_1^4)."""
         exists = jnp.abs(deflection) < 0.5 * math.pi
         phi = jnp.where(exists, deflection, 0.0)
@@ -80,9 +76,7 @@ class LargeDeflection(LeafJointTheory):
     The same law as the roller beam's with alpha_w = d_0 = d_r = 0, d_1 = r_2, x_r = l_2 and zero roller radius.
     """
 
-    def solve(
-        self, leaf: Leaf, count: int, clamp_radius: float, deflection: Field, length: Field
-    ) -> LeafJointState:
+    def solve(self, leaf: Leaf, count: int, clamp_radius: float, deflection: Field, length: Field) -> LeafJointState:
         """Contact on whichever side the slider pushes; at phi = 0 the linear limit, which is exact there."""
         radius = clamp_radius + length
         zero = jnp.zeros_like(deflection)

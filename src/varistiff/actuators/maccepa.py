@@ -65,5 +65,7 @@ class Maccepa(Actuator):
             outside_validity=never,
             yielded=never,
         )
-        held = [blank(status, value) for value in (raw.energy, raw.load, raw.stiffness, raw.adjusting_load)]
-        return Response(status, *held, stress=raw.stress), {}
+        energy, load, stiffness, adjusting = (
+            blank(status, value) for value in (raw.energy, raw.load, raw.stiffness, raw.adjusting_load)
+        )
+        return Response(status, energy, load, stiffness, adjusting, raw.stress), {}

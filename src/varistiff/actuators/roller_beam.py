@@ -74,9 +74,7 @@ class RollerBeam(Actuator):
         return x + setting * cosine - offset * sine, y + setting * sine + offset * cosine
 
     def _bearing(self, deflection: Field, setting: Field) -> Bearing:
-        return self.rollers.acting(
-            lambda offset: self.centre(deflection, setting, offset), self.beam.thickness
-        )
+        return self.rollers.acting(lambda offset: self.centre(deflection, setting, offset), self.beam.thickness)
 
     def _contact(self, deflection: Field, setting: Field, bearing: Bearing) -> LinkContact:
         x, y = self.joint()

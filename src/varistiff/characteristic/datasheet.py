@@ -8,22 +8,19 @@ from __future__ import annotations
 
 import csv
 import io
-import math
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
+from varistiff.characteristic.map_table import MapTable, Mask, element_strength, extreme, spoken
 from varistiff.core.status import Status
 
-if TYPE_CHECKING:
-    from varistiff.actuators.actuator import Actuator
+__all__ = ["Datasheet", "Group", "Limit", "Row", "StatusCount", "datasheet", "element_strength"]
 
-Array = npt.NDArray[np.float64]
-Mask = npt.NDArray[np.bool_]
 LIMIT_SETTINGS = 7  # rows of the table of limits: enough to see the trend, few enough to read
 
 
@@ -133,14 +130,10 @@ class Datasheet:
                 ("stiffness", limit.stiffness),
             ):
                 note = at + ("at zero deflection" if key == "stiffness" else f"ended by {ends}")
-                table.writerow(
-                    ["limits", f"limit_{key}", f"Limit: {key}", _cell(value), self.units[key], note]
-                )
+                table.writerow(["limits", f"limit_{key}", f"Limit: {key}", _cell(value), self.units[key], note])
         for entry in self.statuses:
             label = entry.status.label
-            table.writerow(
-                ["statuses", f"count_{label}", f"Points {label}", entry.count, "1", entry.status.remedy]
-            )
+            table.writerow(["statuses", f"count_{label}", f"Points {label}", entry.count, "1", entry.status.remedy])
         return text.getvalue()
 
 
@@ -154,7 +147,7 @@ def datasheet(dataset: xr.Dataset) -> Datasheet:
 
     Energy capacity is V minus the least V of the same setting in the map, over the ok points.
     """
-    table = _Table.of(dataset)
+    table = MapTable.of(dataset)
     groups = (
         Group("stiffness", "Stiffness (tangent)", tuple(_stiffness_rows(table))),
         Group("load", "Load and deflection", tuple(_load_rows(table))),
@@ -173,110 +166,14 @@ def datasheet(dataset: xr.Dataset) -> Datasheet:
     )
 
 
-def element_strength(actuator: Actuator) -> float | None:
-    """What ``stress`` of a kind is held against [Pa]: yield in bending, yield/sqrt(3) in torsion (von Mises)."""
-    for name in ("beam", "leaf"):
-        element = getattr(actuator, name, None)
-        if element is not None:
-            return _finite(float(element.yield_strength))
-    tensile = getattr(actuator, "yield_strength", None)
-    return None if tensile is None else _finite(float(tensile) / math.sqrt(3.0))
-
-
-def _finite(value: float) -> float | None:
-    return value if math.isfinite(value) and value > 0.0 else None
-
-
-@dataclass(frozen=True)
-class _Table:
-    """The map as plain arrays of shape (setting, deflection); one row where the kind has no setting."""
-
-    deflection: Array
-    setting: Array | None
-    status: npt.NDArray[np.int8]
-    energy: Array
-    load: Array
-    stiffness: Array
-    adjusting: Array | None
-    stress: Array | None
-    strength: float | None
-    load_name: str
-    adjusting_name: str
-    units: dict[str, str]
-
-    @staticmethod
-    def of(dataset: xr.Dataset) -> _Table:
-        load_name = "torque" if "torque" in dataset else "force"
-        adjusting_name = "adjusting_torque" if "adjusting_torque" in dataset else "adjusting_force"
-        setting = np.asarray(dataset["setting"].values, float) if "setting" in dataset.dims else None
-
-        def values(name: str) -> Array:
-            return np.atleast_2d(np.asarray(dataset[name].values, float))
-
-        def optional(name: str) -> Array | None:
-            return values(name) if name in dataset and np.isfinite(dataset[name].values).any() else None
-
-        def unit(name: str) -> str:
-            return str(dataset[name].attrs.get("units", "")) if name in dataset.variables else ""
-
-        names = {"deflection": "deflection", "setting": "setting", "load": load_name, "energy": "energy"}
-        names |= {"stiffness": "stiffness", "adjusting": adjusting_name, "stress": "stress"}
-        return _Table(
-            deflection=np.asarray(dataset["deflection"].values, float),
-            setting=setting,
-            status=np.atleast_2d(np.asarray(dataset["status"].values)).astype(np.int8),
-            energy=values("energy"),
-            load=values(load_name),
-            stiffness=values("stiffness"),
-            adjusting=optional(adjusting_name) if setting is not None else None,
-            stress=optional("stress"),
-            strength=_finite(float(dataset.attrs.get("strength", math.inf))),
-            load_name=load_name,
-            adjusting_name=adjusting_name,
-            units={key: unit(name) for key, name in names.items()},
-        )
-
-    @property
-    def ok(self) -> Mask:
-        return np.asarray(self.status == Status.OK)
-
-    @property
-    def rest(self) -> int:
-        """Column of the deflection nearest to zero."""
-        return int(np.argmin(np.abs(self.deflection)))
-
-    def where(self, index: tuple[int, int]) -> str:
-        """Place of a point, in the units that people read."""
-        text = f"at deflection {_spoken(self.deflection[index[1]], self.units['deflection'])}"
-        if self.setting is not None:
-            text += f", setting {_spoken(self.setting[index[0]], self.units['setting'])}"
-        return text
-
-
-def _spoken(value: float, unit: str) -> str:
-    factor, name = {"rad": (180.0 / math.pi, "deg"), "m": (1e3, "mm")}.get(unit, (1.0, unit))
-    return f"{value * factor:.4g} {name}"
-
-
 def _cell(value: float | None) -> str:
     return "" if value is None else format(value, ".17g")
 
 
-def _extreme(values: Array, mask: Mask, *, largest: bool = True) -> tuple[int, int] | None:
-    """Index of the largest (or smallest) finite value under a mask; None where there is none."""
-    usable = mask & np.isfinite(values)
-    if not usable.any():
-        return None
-    keyed = np.where(usable, values if largest else -values, -np.inf)[:, ::-1]  # of equals, the positive deflection
-    best = float(keyed.max())
-    row, column = np.unravel_index(int(np.argmax(keyed >= best - 1e-9 * abs(best))), keyed.shape)
-    return int(row), keyed.shape[1] - 1 - int(column)
-
-
-def _stiffness_rows(table: _Table) -> Iterator[Row]:
+def _stiffness_rows(table: MapTable) -> Iterator[Row]:
     at_rest = _next_to_rest(table)
     zero = table.deflection[table.rest]
-    place = "at zero deflection" if zero == 0.0 else f"at {_spoken(zero, table.units['deflection'])}, nearest to zero"
+    place = "at zero deflection" if zero == 0.0 else f"at {spoken(zero, table.units['deflection'])}, nearest to zero"
     usable = int(at_rest.sum())
     scope = f"no point {place} is ok" if usable == 0 else ""
     if usable and (table.status[:, table.rest][at_rest.any(axis=1)] == Status.NO_CONTACT).any():
@@ -291,7 +188,7 @@ def _stiffness_rows(table: _Table) -> Iterator[Row]:
     yield from _range_rows(table, table.ok, "ok", "over all ok points", "")
 
 
-def _next_to_rest(table: _Table) -> Mask:
+def _next_to_rest(table: MapTable) -> Mask:
     """Per setting the ok point at zero deflection, or the nearest one beyond the play around it."""
     chosen = np.zeros_like(table.ok)
     for row in range(table.status.shape[0]):
@@ -301,7 +198,7 @@ def _next_to_rest(table: _Table) -> Mask:
     return chosen
 
 
-def _next_to_rest_column(table: _Table, row: int) -> int | None:
+def _next_to_rest_column(table: MapTable, row: int) -> int | None:
     found = (_first_ok(table.status[row], table.rest, step) for step in (1, -1))
     columns = [column for column in found if column is not None]
     return min(columns, key=lambda column: abs(table.deflection[column])) if columns else None
@@ -314,9 +211,9 @@ def _first_ok(status: npt.NDArray[np.int8], start: int, step: int) -> int | None
     return column if 0 <= column < status.size and status[column] == Status.OK else None
 
 
-def _range_rows(table: _Table, mask: Mask, key: str, place: str, scope: str) -> Iterator[Row]:
+def _range_rows(table: MapTable, mask: Mask, key: str, place: str, scope: str) -> Iterator[Row]:
     unit = table.units["stiffness"]
-    low, high = (_extreme(table.stiffness, mask, largest=largest) for largest in (False, True))
+    low, high = (extreme(table.stiffness, mask, largest=largest) for largest in (False, True))
     if low is None or high is None:
         yield Row(f"stiffness_{key}_min", f"Smallest stiffness {place}", None, unit, scope or "no ok point")
         yield Row(f"stiffness_{key}_max", f"Largest stiffness {place}", None, unit, scope or "no ok point")
@@ -326,14 +223,12 @@ def _range_rows(table: _Table, mask: Mask, key: str, place: str, scope: str) -> 
     yield Row(f"stiffness_{key}_min", f"Smallest stiffness {place}", least, unit, notes[0])
     yield Row(f"stiffness_{key}_max", f"Largest stiffness {place}", most, unit, notes[1])
     note = "" if least > 0.0 else "the smallest stiffness is not positive"
-    yield Row(
-        f"stiffness_{key}_ratio", f"Range ratio {place}", most / least if least > 0.0 else None, "1", note
-    )
+    yield Row(f"stiffness_{key}_ratio", f"Range ratio {place}", most / least if least > 0.0 else None, "1", note)
 
 
-def _load_rows(table: _Table) -> Iterator[Row]:
+def _load_rows(table: MapTable) -> Iterator[Row]:
     name = table.load_name
-    peak = _extreme(np.abs(table.load), table.ok)
+    peak = extreme(np.abs(table.load), table.ok)
     if peak is None:
         yield Row(f"{name}_peak", f"Largest {name}", None, table.units["load"], "no ok point")
         return
@@ -352,92 +247,76 @@ def _load_rows(table: _Table) -> Iterator[Row]:
         for key, label, limit in (("min", "Shortest", shortest), ("max", "Longest", longest)):
             note = limit.status.label if limit.status is not None else "edge of the map"
             if limit.setting is not None:
-                note = f"at setting {_spoken(limit.setting, table.units['setting'])}; ended by {note}"
+                note = f"at setting {spoken(limit.setting, table.units['setting'])}; ended by {note}"
             else:
                 note = f"ended by {note}"
             value = abs(limit.deflection or 0.0)
-            yield Row(
-                f"deflection_limit_{key}", f"{label} deflection range", value, table.units["deflection"], note
-            )
+            yield Row(f"deflection_limit_{key}", f"{label} deflection range", value, table.units["deflection"], note)
     yield from _play_row(table)
 
 
-def _play_row(table: _Table) -> Iterator[Row]:
+def _play_row(table: MapTable) -> Iterator[Row]:
     free = table.status == Status.NO_CONTACT
     if not free.any() or table.deflection.size < 2:
         return
     step = np.gradient(table.deflection)
     play = (free * step).sum(axis=1)
     row = int(np.argmax(play))
-    note = (
-        "" if table.setting is None else f"at setting {_spoken(table.setting[row], table.units['setting'])}"
-    )
+    note = "" if table.setting is None else f"at setting {spoken(table.setting[row], table.units['setting'])}"
     yield Row("play", "Largest range without contact", float(play[row]), table.units["deflection"], note)
 
 
-def _energy_rows(table: _Table) -> Iterator[Row]:
+def _energy_rows(table: MapTable) -> Iterator[Row]:
     unit = table.units["energy"]
-    known = np.isfinite(table.energy)
+    known = np.asarray(np.isfinite(table.energy))
     rest = np.where(known.any(axis=1), np.where(known, table.energy, np.inf).min(axis=1), np.nan)
     stored = table.energy - rest[:, None]
-    peak = _extreme(stored, table.ok)
+    peak = extreme(stored, table.ok)
     if peak is None:
         yield Row("energy_capacity", "Energy capacity", None, unit, "no ok point")
         return
     note = f"V minus V at rest, {table.where(peak)}"
     yield Row("energy_capacity", "Energy capacity", float(stored[peak]), unit, note)
-    preload = _extreme(rest[:, None], table.ok.any(axis=1)[:, None])
+    preload = extreme(rest[:, None], np.asarray(table.ok.any(axis=1))[:, None])
     if preload is not None and rest[preload[0]] > 1e-9 * max(float(stored[peak]), 1e-300):
-        at = (
-            ""
-            if table.setting is None
-            else f"at setting {_spoken(table.setting[preload[0]], table.units['setting'])}"
-        )
+        at = "" if table.setting is None else f"at setting {spoken(table.setting[preload[0]], table.units['setting'])}"
         yield Row("energy_rest", "Largest energy stored at rest", float(rest[preload[0]]), unit, at)
 
 
-def _adjusting_rows(table: _Table) -> Iterator[Row]:
+def _adjusting_rows(table: MapTable) -> Iterator[Row]:
     if table.adjusting is None:
         return
     name = table.adjusting_name
     label = f"Largest {name.replace('_', ' ')}"
-    peak = _extreme(np.abs(table.adjusting), table.ok)
+    peak = extreme(np.abs(table.adjusting), table.ok)
     if peak is None:
         yield Row(f"{name}_peak", label, None, table.units["adjusting"], "no ok point")
         return
     value = float(table.adjusting[peak])
-    way = (
-        "the drive pushes to larger settings" if value > 0.0 else "the drive holds back from larger settings"
-    )
+    way = "the drive pushes to larger settings" if value > 0.0 else "the drive holds back from larger settings"
     yield Row(f"{name}_peak", label, abs(value), table.units["adjusting"], f"{table.where(peak)}; {way}")
 
 
-def _strength_rows(table: _Table) -> Iterator[Row]:
+def _strength_rows(table: MapTable) -> Iterator[Row]:
     if table.stress is None:
         return
     unit = table.units["stress"]
-    peak = _extreme(table.stress, table.ok)
+    peak = extreme(table.stress, table.ok)
     stress = None if peak is None else float(table.stress[peak])
-    yield Row(
-        "stress_peak", "Largest stress", stress, unit, "no ok point" if peak is None else table.where(peak)
-    )
+    yield Row("stress_peak", "Largest stress", stress, unit, "no ok point" if peak is None else table.where(peak))
     if table.strength is None:
-        yield Row(
-            "utilisation", "Utilisation (largest stress / strength)", None, "1", "no yield strength is given"
-        )
+        yield Row("utilisation", "Utilisation (largest stress / strength)", None, "1", "no yield strength is given")
         return
     yield Row("strength", "Strength that the stress is held against", table.strength, unit)
     used = None if stress is None else stress / table.strength
     yield Row("utilisation", "Utilisation (largest stress / strength)", used, "1", "over the ok points")
 
 
-def _validity_rows(table: _Table) -> Iterator[Row]:
+def _validity_rows(table: MapTable) -> Iterator[Row]:
     size = table.status.size
     count = int(table.ok.sum())
     yield Row("points", "Points of the map", float(size), "1")
-    yield Row(
-        "points_ok", "Points with status ok", float(count), "1", f"{100.0 * count / size:.3g} % of the map"
-    )
+    yield Row("points_ok", "Points with status ok", float(count), "1", f"{100.0 * count / size:.3g} % of the map")
 
 
 def _counts(status: npt.NDArray[np.int8]) -> Iterator[StatusCount]:
@@ -447,13 +326,13 @@ def _counts(status: npt.NDArray[np.int8]) -> Iterator[StatusCount]:
             yield StatusCount(entry, count, count / status.size)
 
 
-def _limits(table: _Table) -> Iterator[Limit]:
+def _limits(table: MapTable) -> Iterator[Limit]:
     rows = table.status.shape[0]
     for row in np.unique(np.round(np.linspace(0, rows - 1, min(rows, LIMIT_SETTINGS))).astype(int)):
         yield _limit(table, int(row))
 
 
-def _limit(table: _Table, row: int) -> Limit:
+def _limit(table: MapTable, row: int) -> Limit:
     """Walk outward from rest through ok points (and play, which ends nothing) until another status appears."""
     walks = [_walk(table.status[row], table.rest, step) for step in (1, -1)]
     setting = None if table.setting is None else float(table.setting[row])

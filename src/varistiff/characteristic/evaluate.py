@@ -75,16 +75,12 @@ def evaluate(
         name: np.concatenate([getattr(response, name) for response, _ in blocks]).reshape(shape)
         for name in Response._fields
     }
-    extra = {
-        name: np.concatenate([details[name] for _, details in blocks]).reshape(shape) for name in blocks[0][1]
-    }
+    extra = {name: np.concatenate([details[name] for _, details in blocks]).reshape(shape) for name in blocks[0][1]}
     echoed = s if actuator.setting_unit is not None or setting is not None else np.full(shape, np.nan)
     return Points(deflection=d, setting=echoed, details=extra, **numbers)
 
 
-def _broadcast(
-    actuator: Actuator, deflection: ArrayLike, setting: ArrayLike | None
-) -> tuple[np.ndarray, np.ndarray]:
+def _broadcast(actuator: Actuator, deflection: ArrayLike, setting: ArrayLike | None) -> tuple[np.ndarray, np.ndarray]:
     if setting is None:
         if actuator.setting_unit is not None:
             raise InputError(f"a {actuator.kind} needs a setting in {actuator.setting_unit}", field="setting")

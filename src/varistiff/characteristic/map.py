@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from importlib.metadata import PackageNotFoundError, version
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -56,7 +56,7 @@ def characteristic_map(
             ("setting", "deflection"),
         )
     angular = actuator.deflection_unit == "rad"
-    coords = {
+    coords: dict[str, Any] = {
         "deflection": (
             "deflection",
             d,
@@ -69,9 +69,7 @@ def characteristic_map(
             s,
             _about("setting of the stiffness drive", str(actuator.setting_unit)),
         )
-    variables = {
-        name: (dims, values, about) for name, (values, about) in _variables(actuator, points).items()
-    }
+    variables = {name: (dims, values, about) for name, (values, about) in _variables(actuator, points).items()}
     return xr.Dataset(variables, coords, {**_provenance(actuator), **(attrs or {})})
 
 
@@ -91,7 +89,7 @@ def _about(long_name: str, units: str) -> dict[str, str]:
 
 def _variables(actuator: Actuator, points: Points) -> dict[str, tuple[np.ndarray, dict[str, object]]]:
     joint = actuator.deflection_unit == "rad"
-    flags = {
+    flags: dict[str, object] = {
         "long_name": "status of the point",
         "flag_values": np.array([int(s) for s in Status], np.int8),
         "flag_meanings": " ".join(s.label for s in Status),

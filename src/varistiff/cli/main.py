@@ -51,7 +51,9 @@ def _command(arguments: list[str]) -> int:
     import typer
 
     from varistiff.cli.app import app
+    from varistiff.core.kernel_cache import keep_compiled_kernels
 
+    keep_compiled_kernels()
     try:
         result = typer.main.get_command(app)(arguments, prog_name="varistiff", standalone_mode=False)
     except typer.Exit as error:

@@ -107,6 +107,9 @@ def _slope_parameter_jvp(primals: tuple[Field], tangents: tuple[Field]) -> tuple
     return z, tangents[0] / _rise_over_span(z)[1]
 
 
+_drawn_parameter = jax.jit(_slope_parameter)
+
+
 class GuidedLeaf(LeafLaw):
     """The leaf as Chacon et al. (2011) model it: moment linear in x, no axial force, for every span > 0.
 
@@ -172,7 +175,7 @@ class GuidedLeaf(LeafLaw):
     def centreline(self, leaf: Leaf, span: float, rise: float, points: int = 101) -> Curve:
         """Points (N, 2) [m] from the roller (0, 0) to the clamp (span, rise), nearly even along the leaf."""
         require_shape(span > 0.0, span, rise)
-        z = float(_slope_parameter(jnp.asarray(rise / span)))
+        z = float(_drawn_parameter(jnp.asarray(rise / span)))
         p = -np.expm1(-z)
         # v = sqrt((1 - p)/p) sinh(w) spreads the nearly vertical middle; top = w(1) from logarithms
         top = 0.5 * z + np.log(np.sqrt(p) + np.sqrt(p + np.exp(-z)))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import equinox as eqx
+from jaxtyping import Array, Float
 
 
 class Leaf(eqx.Module):
@@ -38,6 +39,6 @@ class Leaf(eqx.Module):
         """E I [N m^2]."""
         return self.youngs_modulus * self.second_moment
 
-    def bending_stress(self, curvature: float) -> float:
+    def bending_stress(self, curvature: Float[Array, "..."]) -> Float[Array, "..."]:
         """Stress in the outer fibre E h |kappa|/2 [Pa] at a curvature [1/m]."""
         return 0.5 * self.youngs_modulus * self.thickness * abs(curvature)

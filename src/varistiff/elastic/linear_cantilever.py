@@ -26,6 +26,4 @@ def linear_cantilever(deflection: Field, active_length: Field, flexural_rigidity
     3.0
     """
     slope = 1.5 * deflection / active_length
-    return LinearCantilever(
-        2.0 * flexural_rigidity * slope / active_length**2, slope, 2.0 * slope / active_length
-    )
+    return LinearCantilever(2.0 * flexural_rigidity * slope / active_length**2, slope, 2.0 * slope / active_length)

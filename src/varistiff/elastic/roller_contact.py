@@ -33,6 +33,7 @@ _FIRST_CHANGE = 1e-4  # the same for a second step from a 1 % guess: the constan
 _STEPS_AT_MOST = 60
 
 Field = Float[Array, "..."]
+_Carry = tuple[Array, Array, Array, Array, Array]
 
 
 class RollerContact(NamedTuple):
@@ -53,9 +54,7 @@ class RollerContact(NamedTuple):
     stiffness_tt: Field  # along the contact tangent [N/m]
 
 
-def roller_contact(
-    centre_x: Field, centre_y: Field, radius: Field, flexural_rigidity: Field
-) -> RollerContact:
+def roller_contact(centre_x: Field, centre_y: Field, radius: Field, flexural_rigidity: Field) -> RollerContact:
     """Solve the contact for roller centres (centre_x, centre_y) [m], arrays of one shape.
 
     Parameters
@@ -90,9 +89,7 @@ def roller_contact(
     return RollerContact(touching, exists, slope, *_state(terms, reach, r, slope, flexural_rigidity))
 
 
-def _state(
-    terms: SlopeTerms, reach: Field, radius: Field, slope: Field, flexural_rigidity: Field
-) -> tuple[Field, ...]:
+def _state(terms: SlopeTerms, reach: Field, radius: Field, slope: Field, flexural_rigidity: Field) -> tuple[Field, ...]:
     """Fields of RollerContact after the slope; ``reach`` is X = C.t^."""
     s, c, h, h_over_s, length = terms
     inverse = 1.0 / reach
@@ -188,7 +185,7 @@ def _finish(slope: Field, open_: Bool[Array, "..."], x: Field, y: Field, r: Fiel
     x1, y1, epsilon = _unit(x, y, r)
     fold_slope = _fold_slope(epsilon)
 
-    def body(carry: tuple[Array, ...]) -> tuple[Array, ...]:
+    def body(carry: _Carry) -> _Carry:
         count, t, low, high, pending = carry
         g, change = _step(t, x1, y1, epsilon)
         low, high = jnp.where(g < 0.0, t, low), jnp.where(g < 0.0, high, t)
@@ -198,7 +195,7 @@ def _finish(slope: Field, open_: Bool[Array, "..."], x: Field, y: Field, r: Fiel
         settled = (jnp.abs(change) <= _CONVERGED * t) & inside | (high - low <= 4e-16 * high)
         return count + 1, jnp.where(pending, proposal, t), low, high, pending & ~settled
 
-    def more(carry: tuple[Array, ...]) -> Array:
+    def more(carry: _Carry) -> Array:
         return (carry[0] < _STEPS_AT_MOST) & jnp.any(carry[4])
 
     start = (jnp.asarray(0), slope, jnp.zeros_like(slope), fold_slope + jnp.zeros_like(slope), open_)

@@ -65,6 +65,10 @@ def free_shape(span: Field, rise: Field) -> FreeShape:
     return FreeShape(t, terms, distance, jnp.sqrt(1.0 + terms.offset_ratio**2))
 
 
+_drawn_shape = jax.jit(free_shape)
+_drawn_offset = jax.jit(offset_ratio)
+
+
 def free_energy(shape: FreeShape, rigidity: float | Field) -> Field:
     """U = EI I2/k [J]."""
     return 8.0 * rigidity * shape.terms.sine * shape.terms.offset_ratio * shape.flatness / shape.distance
@@ -111,7 +115,7 @@ def half_curve(slope: float, scale: float, turning: npt.NDArray[np.float64]) -> 
     psi = np.abs(turning)
     root = np.sqrt(np.sin(psi))
     along = np.sign(turning) * 2.0 * scale * root
-    across = -along * np.asarray(offset_ratio(jnp.asarray(psi)))
+    across = -along * np.asarray(_drawn_offset(jnp.asarray(psi)))
     c, s = math.cos(slope), math.sin(slope)
     return np.stack([along * c - across * s, along * s + across * c], axis=1)
 
@@ -168,7 +172,7 @@ class SlidingLeaf(LeafLaw):
     def centreline(self, leaf: Leaf, span: float, rise: float, points: int = 101) -> Curve:
         """Points (N, 2) [m] from the roller (0, 0) to the clamp (span, rise), denser towards the middle."""
         require_shape(span > 0.0, span, rise)
-        shape = free_shape(jnp.asarray(span), jnp.asarray(rise))
+        shape = _drawn_shape(jnp.asarray(span), jnp.asarray(rise))
         slope = float(shape.slope)
         scale = 0.25 * float(shape.distance / shape.flatness) / math.sqrt(math.sin(slope))
         step = np.linspace(-1.0, 1.0, points)  # turning grows with the square of the arc length

@@ -177,7 +177,7 @@ class WrappedLeaf(LeafLaw):
 
     def centreline(self, leaf: Leaf, span: float, rise: float, points: int = 101) -> Curve:
         """Points (N, 2) [m] from the roller (0, 0) to the clamp (span, rise); N about ``points``."""
-        case = self._cases(jnp.asarray(span), jnp.asarray(rise))
+        case = jax.jit(WrappedLeaf._cases)(self, jnp.asarray(span), jnp.asarray(rise))
         require_shape(bool(case.exists), span, rise)
         if not bool(case.wrapped):
             return SlidingLeaf().centreline(leaf, span, rise, points)

@@ -99,9 +99,7 @@ def _write_figures(design: Design, dataset: xr.Dataset, folder: Path, tell: _Tel
     return pictures
 
 
-def _write_report(
-    design: Design, dataset: xr.Dataset, sheet: Datasheet, pictures: list[Picture], folder: Path
-) -> None:
+def _write_report(design: Design, dataset: xr.Dataset, sheet: Datasheet, pictures: list[Picture], folder: Path) -> None:
     from varistiff.report.html import render_report
 
     text = render_report(dataset, sheet, pictures, warnings=design.warnings, path=design.path)
@@ -109,7 +107,9 @@ def _write_report(
 
 
 def _write_data(dataset: xr.Dataset, sheet: Datasheet, folder: Path) -> None:
-    packed = {name: {"zlib": True, "complevel": 1} for name, variable in dataset.data_vars.items() if variable.size > 1000}
+    packed = {
+        name: {"zlib": True, "complevel": 1} for name, variable in dataset.data_vars.items() if variable.size > 1000
+    }
     dataset.to_netcdf(folder / "map.nc", engine="h5netcdf", encoding=packed)
     text = json.dumps(sheet.as_dict(), indent=2, ensure_ascii=False, allow_nan=False)
     (folder / "datasheet.json").write_text(text + "\n", encoding="utf-8")
@@ -142,7 +142,8 @@ def _check_replaceable(target: Path, *, shown: str) -> None:
     if foreign or not all(name in entries for name in MARKERS):
         what = f"holds {foreign[0]!r}, which" if foreign else "is not empty and holds no earlier result that"
         raise InputError(
-            f"{what} an analysis would not replace; allowed is a new or empty directory, or an earlier result", file=shown
+            f"{what} an analysis would not replace; allowed is a new or empty directory, or an earlier result",
+            file=shown,
         )
 
 

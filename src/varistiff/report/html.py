@@ -26,6 +26,20 @@ KIND_NAMES = {
     "slider_leaf_joint": "Slider leaf joint",
     "torsion_tube": "Variable torsion stiffness",
 }
+KEY_ROWS = (
+    "stiffness_rest",
+    "stiffness_rest_min",
+    "stiffness_rest_max",
+    "stiffness_rest_ratio",
+    "torque_peak",
+    "force_peak",
+    "deflection_limit",
+    "deflection_limit_max",
+    "energy_capacity",
+    "adjusting_force_peak",
+    "adjusting_torque_peak",
+    "utilisation",
+)
 
 
 @dataclass(frozen=True)
@@ -122,13 +136,8 @@ def one_line(sheet: Datasheet) -> str:
 
 
 def _key_rows(sheet: Datasheet) -> Iterator[Row]:
-    wanted = (
-        "stiffness_rest", "stiffness_rest_min", "stiffness_rest_max", "stiffness_rest_ratio", "torque_peak", "force_peak",
-        "deflection_limit", "deflection_limit_max", "energy_capacity", "adjusting_force_peak", "adjusting_torque_peak",
-        "utilisation",
-    )  # fmt: skip
     rows = {row.key: row for row in sheet.rows}
-    return (rows[key] for key in wanted if key in rows)
+    return (rows[key] for key in KEY_ROWS if key in rows)
 
 
 def _shown(row: Row, *, short: bool = False) -> dict[str, str]:
@@ -145,10 +154,7 @@ def _limit(limit: Limit, units: dict[str, str]) -> dict[str, str]:
     def text(value: float | None, unit: str) -> str:
         return MISSING if value is None else display(unit, abs(value)).text(value)
 
-    if limit.status is not None:
-        ending = limit.status.label.replace("_", " ")
-    else:
-        ending = "edge of the map"
+    ending = "edge of the map" if limit.status is None else limit.status.label.replace("_", " ")
     return {
         "setting": text(limit.setting, units["setting"]),
         "stiffness": text(limit.stiffness, units["stiffness"]),

@@ -124,17 +124,23 @@ class Drawing:
         """Write the figure as PNG."""
         FigureCanvasAgg(self.figure)
         with styled():
-            self.figure.savefig(path, format="png", dpi=PNG_DPI, metadata={"Software": "varistiff"},
-                                pil_kwargs={"compress_level": 4})
+            self.figure.savefig(
+                path,
+                format="png",
+                dpi=PNG_DPI,
+                metadata={"Software": "varistiff"},
+                pil_kwargs={"compress_level": 4},
+            )
 
 
 @contextmanager
 def styled() -> Iterator[None]:
     """Everything drawn inside has the house style, whatever the user's own matplotlib settings say."""
+    parameters: Any = matplotlib.rcParams  # the stubs of some versions allow known keys only
     with matplotlib.rc_context():
         defaults = {key: value for key, value in matplotlib.rcParamsDefault.items() if not key.startswith("backend")}
         dict.update(matplotlib.rcParams, defaults)  # already validated: checking them again takes longer than drawing
-        matplotlib.rcParams.update(_STYLE)
+        parameters.update(_STYLE)
         yield
 
 

@@ -164,9 +164,8 @@ class View:
         """Columns from rest to the last ok deflection, on the side of the map that has more ok points."""
         after, before = int(self.ok[:, self.rest :].sum()), int(self.ok[:, : self.rest + 1].sum())
         good = np.flatnonzero(self.ok.any(axis=0))
-        if not good.size:
-            end = self.deflection.size - 1
-        else:
+        end = self.deflection.size - 1
+        if good.size:
             end = int(good.max() if after >= before else good.min())
         columns = np.round(np.linspace(self.rest, end, count)).astype(int).tolist()
         return sorted(set(columns), key=lambda column: abs(column - self.rest))

@@ -53,9 +53,7 @@ class Minimum:
         return math.hypot(self.force_x, self.force_y)
 
 
-def _element_steps(
-    curvature: Floats, size: float
-) -> tuple[Floats, Floats, Floats, Floats, Callable[[Floats], Floats]]:
+def _element_steps(curvature: Floats, size: float) -> tuple[Floats, Floats, Floats, Floats, Callable[[Floats], Floats]]:
     """Nodal slopes, the steps (dx, dy) of every element, and the steps' derivatives to the nodal slopes."""
     theta = np.concatenate([[0.0], np.cumsum(curvature) * size])
     inside = theta[:-1, None] * (1 - _GAUSS) + theta[1:, None] * _GAUSS
@@ -92,9 +90,7 @@ class _Obstacle:
         tip = theta[e] + bend * part
         cosine, sine = math.cos(tip), math.sin(tip)
         half = 0.5 * part
-        place = np.array(
-            [dx[:e].sum() + half * np.cos(slopes).sum(), dy[:e].sum() + half * np.sin(slopes).sum()]
-        )
+        place = np.array([dx[:e].sum() + half * np.cos(slopes).sum(), dy[:e].sum() + half * np.sin(slopes).sum()])
         gap = place - self.radius * np.array([-sine, cosine]) - np.array(self.centre)
         jacobian = np.zeros((2, self.elements + 1))
         turn = self.radius * np.array([cosine, sine])

@@ -87,9 +87,7 @@ def _slopes(state: Floats, length: float, force_x: float, force_y: float) -> Flo
     return np.asarray(length * rates)
 
 
-def _small_deflection(
-    height: float, distance: float, nodes: int = 21
-) -> tuple[Floats, Floats, NDArray[np.float64]]:
+def _small_deflection(height: float, distance: float, nodes: int = 21) -> tuple[Floats, Floats, NDArray[np.float64]]:
     """Linear cantilever with a given end deflection: first guess with EI = 1."""
     t = np.linspace(0.0, 1.0, nodes)
     force = 3.0 * height / distance**3
@@ -202,21 +200,15 @@ def roller_contact(
 
 def dead_load(load: float, *, length: float, flexural_rigidity: float, tolerance: float = 1e-9) -> Shape:
     """Cantilever of a given length under an end force that stays vertical: the textbook elastica."""
-    return _given_length(
-        load, length=length, flexural_rigidity=flexural_rigidity, follows=False, tolerance=tolerance
-    )
+    return _given_length(load, length=length, flexural_rigidity=flexural_rigidity, follows=False, tolerance=tolerance)
 
 
 def follower_load(load: float, *, length: float, flexural_rigidity: float, tolerance: float = 1e-9) -> Shape:
     """Cantilever of a given length under an end force that stays normal to its end."""
-    return _given_length(
-        load, length=length, flexural_rigidity=flexural_rigidity, follows=True, tolerance=tolerance
-    )
+    return _given_length(load, length=length, flexural_rigidity=flexural_rigidity, follows=True, tolerance=tolerance)
 
 
-def _given_length(
-    load: float, *, length: float, flexural_rigidity: float, follows: bool, tolerance: float
-) -> Shape:
+def _given_length(load: float, *, length: float, flexural_rigidity: float, follows: bool, tolerance: float) -> Shape:
     final = load * length**2 / flexural_rigidity
     guess: tuple[Floats, Floats, Floats] = _small_deflection(0.05, 1.0)
     for value in np.append(np.arange(0.5, final, 0.5), final):

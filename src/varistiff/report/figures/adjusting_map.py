@@ -22,7 +22,8 @@ def draw(dataset: xr.Dataset) -> Drawing | None:
         veil(figure, axes, view)
         axes.set_title(title)
     caption = (
-        f"{title} that the stiffness drive must hold, the slope of the energy along the setting. Positive: it pushes"
+        f"{title} that the stiffness drive must hold, the slope of the energy along the setting."
+        " Positive: it pushes"
         " towards larger settings; negative: it holds back from them."
     )
     return Drawing("adjusting", title, figure, caption)

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -26,7 +27,7 @@ class Curve:
 
     x: Array
     y: Array
-    status: Array
+    status: npt.NDArray[np.int8]
     label: str
     colour: str
 
@@ -108,24 +109,46 @@ def set_range(axes: Axes, curves: Iterable[Curve], *, log: bool) -> None:
 
 
 def legends(
-    figure: Figure, axes: Axes, curves: Iterable[Curve], *, title: str, inked: set[Status], x: float = LEGEND_X
+    figure: Figure,
+    axes: Axes,
+    curves: Iterable[Curve],
+    *,
+    title: str,
+    inked: set[Status],
+    x: float = LEGEND_X,
 ) -> None:
     """Legend of the family, and below it the dashes, in the free column right of the axes."""
     families = [Line2D([], [], color=curve.colour, linewidth=2.6, label=curve.label) for curve in curves]
     first = figure.legend(
-        handles=families, title=title, loc="upper left", bbox_to_anchor=(x, 0.91), alignment="left", labelspacing=0.45
+        handles=families,
+        title=title,
+        loc="upper left",
+        bbox_to_anchor=(x, 0.91),
+        alignment="left",
+        labelspacing=0.45,
     )
     first.set_zorder(5)
     if inked == {Status.OK}:
         return
     dashes = [
-        Line2D([], [], color=SOFT, linewidth=2.0 if status is Status.OK else 1.5, linestyle=LOOKS[status].dashes,
-               label=LOOKS[status].name)
+        Line2D(
+            [],
+            [],
+            color=SOFT,
+            linewidth=2.0 if status is Status.OK else 1.5,
+            linestyle=LOOKS[status].dashes,
+            label=LOOKS[status].name,
+        )
         for status in Status
         if status in inked
     ]
     figure.legend(
-        handles=dashes, title="Status", loc="lower left", bbox_to_anchor=(x, 0.135), alignment="left", labelspacing=0.45
+        handles=dashes,
+        title="Status",
+        loc="lower left",
+        bbox_to_anchor=(x, 0.135),
+        alignment="left",
+        labelspacing=0.45,
     )
 
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import xarray as xr
 
+from varistiff.core.status import Status
 from varistiff.report.figures.curves import Curve, draw_curves, legends, plain_numbers, set_range, zero_lines
 from varistiff.report.figures.field import draw_field, field_canvas, veil
 from varistiff.report.style import Drawing, canvas, ramp, styled
-from varistiff.core.status import Status
 from varistiff.report.view import Field, View
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
@@ -30,7 +32,7 @@ def field_canvas() -> tuple[Figure, Axes]:
 
 
 def draw_field(figure: Figure, axes: Axes, view: View, values: Array, *, label: str, colours: str = "viridis") -> None:
-    """Colour a field of shape (setting, deflection), with a colour bar; the ok points set the range of colours."""
+    """Colour a field of shape (setting, deflection) with a colour bar; ok points set the range of colours."""
     finite = np.isfinite(values)
     telling = finite & view.ok
     shown = values[telling] if telling.any() else values[finite]
@@ -54,12 +56,12 @@ def draw_field(figure: Figure, axes: Axes, view: View, values: Array, *, label: 
         zorder=1.0,
     )
     _frame(axes, view)
-    levels = MaxNLocator(6).tick_values(low, high)
+    levels = np.asarray(MaxNLocator(6).tick_values(low, high), float)
     levels = levels[(levels > low) & (levels < high)]
     if levels.size and min(values.shape) > 2:
         _contours(axes, view, values, levels, colour=INK if colours == "PuOr" else "white")
     bar = figure.colorbar(mesh, cax=figure.add_axes((0.80, 0.205, 0.026, 0.70)))
-    bar.outline.set_linewidth(0.6)  # type: ignore[operator]  # the stubs call the outline a method
+    bar.outline.set_linewidth(0.6)
     bar.ax.set_ylabel(label, labelpad=8)
     bar.ax.yaxis.set_major_formatter(NUMBERS)
 
@@ -72,10 +74,18 @@ def _contours(axes: Axes, view: View, values: Array, levels: Array, *, colour: s
     )
     for text in axes.clabel(lines, fontsize=9.5, inline=False, fmt=lambda value: number(float(f"{value:.6g}"))):
         place = axes.transAxes.inverted().transform(axes.transData.transform(text.get_position()))
-        row, column = (int(round(np.clip(part, 0, 1) * (size - 1))) for part, size in zip(place[::-1], values.shape, strict=True))
+        row, column = (
+            int(np.rint(np.clip(part, 0, 1) * (size - 1))) for part, size in zip(place[::-1], values.shape, strict=True)
+        )
         if place.min() < 0.06 or place.max() > 0.94 or (view.ok.any() and not view.ok[row, column]):
             text.set_visible(False)
-        text.set_bbox({"facecolor": (0.1, 0.12, 0.14, 0.55) if colour == "white" else (1.0, 1.0, 1.0, 0.7), "edgecolor": "none", "boxstyle": "round,pad=0.15"})
+        text.set_bbox(
+            {
+                "facecolor": (0.1, 0.12, 0.14, 0.55) if colour == "white" else (1.0, 1.0, 1.0, 0.7),
+                "edgecolor": "none",
+                "boxstyle": "round,pad=0.15",
+            }
+        )
 
 
 def _frame(axes: Axes, view: View) -> None:
@@ -102,7 +112,9 @@ def fill_region(axes: Axes, x: Array, y: Array, mask: Mask, status: Status) -> N
         return
     look = LOOKS[status]
     if mask.all():
-        axes.add_patch(Rectangle((0, 0), 1, 1, transform=axes.transAxes, facecolor=look.fill, hatch=look.hatch, zorder=2.4))
+        axes.add_patch(
+            Rectangle((0, 0), 1, 1, transform=axes.transAxes, facecolor=look.fill, hatch=look.hatch, zorder=2.4)
+        )
         return
     level = smooth(mask)
     axes.contourf(x, y, level, levels=[0.5, 1.5], colors=[look.fill], hatches=[look.hatch], zorder=2.4)
@@ -125,14 +137,25 @@ def _running_mean(values: Array, *, half: int, axis: int) -> Array:
     return np.asarray(windows.mean(axis=-1))
 
 
-def status_legend(figure: Figure, present: list[Status]) -> None:
+def status_legend(figure: Figure, present: Sequence[Status]) -> None:
     """Patches for the statuses that occur, in one row under the axes."""
     handles = [
-        Patch(facecolor=LOOKS[status].fill, hatch=LOOKS[status].hatch, edgecolor=SOFT, linewidth=0.7,
-              label=LOOKS[status].name)
+        Patch(
+            facecolor=LOOKS[status].fill,
+            hatch=LOOKS[status].hatch,
+            edgecolor=SOFT,
+            linewidth=0.7,
+            label=LOOKS[status].name,
+        )
         for status in present
     ]
     figure.legend(
-        handles=handles, loc="lower left", bbox_to_anchor=(0.118 if len(handles) < 4 else 0.012, 0.012),
-        ncols=len(handles), columnspacing=1.1, handlelength=1.5, handleheight=1.1, handletextpad=0.5,
+        handles=handles,
+        loc="lower left",
+        bbox_to_anchor=(0.118 if len(handles) < 4 else 0.012, 0.012),
+        ncols=len(handles),
+        columnspacing=1.1,
+        handlelength=1.5,
+        handleheight=1.1,
+        handletextpad=0.5,
     )

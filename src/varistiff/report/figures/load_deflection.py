@@ -5,7 +5,14 @@ from __future__ import annotations
 import xarray as xr
 
 from varistiff.core.status import Status
-from varistiff.report.figures.curves import Curve, curve_limits, draw_curves, legends, plain_numbers, zero_lines
+from varistiff.report.figures.curves import (
+    Curve,
+    curve_limits,
+    draw_curves,
+    legends,
+    plain_numbers,
+    zero_lines,
+)
 from varistiff.report.style import Drawing, canvas, ramp, styled
 from varistiff.report.view import View
 

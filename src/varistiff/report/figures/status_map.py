@@ -49,8 +49,15 @@ def _regions(axes: Axes, view: View, y: Array) -> None:
         name = LOOKS[status].name
         for spot in label_spots(mask, width=0.0165 * len(name) + 0.02, height=0.09 if y.size > 2 else 0.3):
             axes.text(
-                *spot, name, transform=axes.transAxes, ha="center", va="center", fontsize=11.5, fontweight="bold",
-                zorder=5.0, bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.85, "boxstyle": "round,pad=0.2"},
+                *spot,
+                name,
+                transform=axes.transAxes,
+                ha="center",
+                va="center",
+                fontsize=11.5,
+                fontweight="bold",
+                zorder=5.0,
+                bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.85, "boxstyle": "round,pad=0.2"},
             )
 
 

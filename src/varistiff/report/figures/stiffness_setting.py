@@ -6,7 +6,15 @@ import numpy as np
 import xarray as xr
 
 from varistiff.core.status import Status
-from varistiff.report.figures.curves import Curve, draw_curves, legends, plain_numbers, set_range, wants_log, zero_lines
+from varistiff.report.figures.curves import (
+    Curve,
+    draw_curves,
+    legends,
+    plain_numbers,
+    set_range,
+    wants_log,
+    zero_lines,
+)
 from varistiff.report.style import Drawing, canvas, ramp, styled
 from varistiff.report.view import View
 

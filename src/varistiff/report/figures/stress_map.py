@@ -30,8 +30,15 @@ def draw(dataset: xr.Dataset) -> Drawing | None:
         veil(figure, axes, view)
         finite = stress.values[np.isfinite(stress.values)]
         if strength is not None and finite.min() < strength < finite.max():
-            line = axes.contour(view.x, view.y, np.ma.masked_invalid(stress.values / strength), levels=[1.0],
-                                colors=VERMILION, linewidths=2.4, zorder=3.5)
+            line = axes.contour(
+                view.x,
+                view.y,
+                np.ma.masked_invalid(stress.values / strength),
+                levels=[1.0],
+                colors=VERMILION,
+                linewidths=2.4,
+                zorder=3.5,
+            )
             line.set_path_effects([patheffects.withStroke(linewidth=4.0, foreground="white")])
         axes.set_title(TITLE)
     caption = "Largest stress in the elastic element."
@@ -40,7 +47,8 @@ def draw(dataset: xr.Dataset) -> Drawing | None:
     else:
         caption += " Every point of the map is safe to work in."
     if strength is not None:
-        caption += f" The strength is {display('Pa').text(strength)}; the orange line, where it appears, is its contour."
+        limit = display("Pa").text(strength)
+        caption += f" The strength is {limit}; the orange line, where it appears, is its contour."
     else:
         caption += " No yield strength is given, so no point can count as yielded."
     return Drawing("stress", TITLE, figure, caption)

@@ -41,7 +41,11 @@ def draw(actuator: AntagonisticLeaves, dataset: xr.Dataset) -> Drawing:
     radius = _protection(actuator)
     size = radius if radius is not None else NOMINAL * actuator.clamp_height * MM
     tail = 0.12 * actuator.roller_distance * MM
-    wide = 0.5 * actuator.roller_distance * MM + max(size, tail) + 1.1 * max(abs(pose.deflection) for pose in states[0]) * MM
+    wide = (
+        0.5 * actuator.roller_distance * MM
+        + max(size, tail)
+        + 1.1 * max(abs(pose.deflection) for pose in states[0]) * MM
+    )
     high = max(_line(actuator, 0.0) + 2.0 * size, _line(actuator, actuator.clamp_height))
     bounds = Bounds(-wide, wide, -1.06 * high, 1.06 * high)
     with styled():
@@ -51,12 +55,19 @@ def draw(actuator: AntagonisticLeaves, dataset: xr.Dataset) -> Drawing:
             _bar_one(part, actuator, poses[0], radius)
             for order, pose in enumerate(poses):
                 _state(part, actuator, pose, size, tail, zorder=4.0 + order)
-        parts = [("nuts on the screw (bar 1)", METAL, "patch"), ("rollers on bar 2", "white", "round"), ("screw", SOFT, "dash")]
+        parts = [
+            ("nuts on the screw (bar 1)", METAL, "patch"),
+            ("rollers on bar 2", "white", "round"),
+            ("screw", SOFT, "dash"),
+        ]
         legend(figure, parts)
     caption = (
-        "The mechanism to scale, in the frame of bar 1, whose screw sets the distance of the nuts. Bar 2 carries the rollers"
-        " and moves along the screw: one pair of leaves is squeezed, the other stretched. Grey: zero deflection; colours:"
-        " half and whole usable deflection, at the softest and the stiffest usable setting. The leaves' distance from the"
+        "The mechanism to scale, in the frame of bar 1, whose screw sets the distance of the nuts."
+        " Bar 2 carries the rollers"
+        " and moves along the screw: one pair of leaves is squeezed, the other stretched. Grey: zero"
+        " deflection; colours:"
+        " half and whole usable deflection, at the softest and the stiffest usable setting. The"
+        " leaves' distance from the"
         " screw is not part of the design."
     )
     if radius is None:
@@ -102,12 +113,15 @@ def _bar_one(axes: Axes, actuator: AntagonisticLeaves, pose: Pose, radius: float
     left, right = axes.get_xlim()
     axis_line(axes, np.array([[left, 0.0], [right, 0.0]]))
     for side in (-1.0, 1.0):
-        for up in (-1.0, 1.0):
-            if radius is not None:
-                # half a cylinder, its round side towards the roller
-                turn = 0.0 if side > 0.0 else 180.0
-                centre = (side * nut, up * (top - radius))
-                axes.add_patch(Wedge(centre, radius, turn - 90.0, turn + 90.0, facecolor=METAL_LIGHT, edgecolor=METAL, zorder=2.0))
+        if radius is not None:
+            # half cylinders, round towards the rollers; the fill comes last, so that the two look like one nut
+            turn = 0.0 if side > 0.0 else 180.0
+            for edge, zorder in ((METAL, 2.0), ("none", 2.1)):
+                for up in (-1.0, 1.0):
+                    centre = (side * nut, up * (top - radius))
+                    half = Wedge(centre, radius, turn - 90.0, turn + 90.0, facecolor=METAL_LIGHT, edgecolor=edge)
+                    half.set(zorder=zorder, linewidth=1.6)
+                    axes.add_patch(half)
         block(axes, np.array([side * nut, 0.0]), 0.16 * top, 2.0 * top, colour=METAL, zorder=6.0)
 
 
@@ -120,4 +134,11 @@ def _state(axes: Axes, actuator: AntagonisticLeaves, pose: Pose, size: float, ta
         bar(axes, np.array([[x, -height], [x, height]]), 0.12 * size, colour=FAINT, zorder=0.8)
         for up in (-1.0, 1.0):
             disc(axes, np.array([x, up * height]), size, edge=pose.colour, width=1.7, fill=False, zorder=zorder)
-            disc(axes, np.array([x, up * height]), 0.06 * size, colour=pose.colour, edge=pose.colour, zorder=zorder)
+            disc(
+                axes,
+                np.array([x, up * height]),
+                0.06 * size,
+                colour=pose.colour,
+                edge=pose.colour,
+                zorder=zorder,
+            )

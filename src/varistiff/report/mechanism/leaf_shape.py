@@ -7,7 +7,6 @@ from collections.abc import Callable
 
 import numpy as np
 
-from varistiff.elastic.leaf import Leaf
 from varistiff.elastic.roller_contact import centreline
 from varistiff.report.mechanism.sheet import MM, Pose
 from varistiff.report.view import Array, View
@@ -19,15 +18,11 @@ def detail(view: View, pose: Pose, name: str) -> float:
     return float(values[pose.row, pose.column])
 
 
-def bent(leaf: Leaf, *, slope: float, force: float, length: float, drawn: float) -> Array:
-    """Elastica under a normal force at its contact, straight beyond it; clamp at the origin along +x, shape (N, 2) [mm].
-
-    With k = sqrt(E I/(2 F)) the contact lies at X = 2 k sqrt(sin t) along its own tangent.
-    """
-    if not (math.isfinite(slope) and force > 0.0 and abs(slope) > 1e-9):
+def bent(*, slope: float, length: float, drawn: float) -> Array:
+    """Elastica under a normal force at its contact, straight beyond it; clamp at the origin, (N, 2) [mm]."""
+    if not (math.isfinite(slope) and abs(slope) > 1e-9):
         return np.array([[0.0, 0.0], [drawn * MM, 0.0]])
-    reach = 2.0 * math.sqrt(math.sin(abs(slope)) * leaf.flexural_rigidity / (2.0 * force))
-    line = centreline(abs(slope), reach, points=61, tail=max(drawn - length, 0.0))
+    line = centreline(abs(slope), length, points=61, tail=max(drawn - length, 0.0))
     return np.asarray(line * np.array([1.0, math.copysign(1.0, slope)]) * MM, float)
 
 
@@ -43,14 +38,15 @@ def between_horizontals(span: float, rise: float, *, radius: float = math.inf, p
     """Free elastica from (0, 0) to (span, rise), horizontal at both ends; shape (N, 2), units as given.
 
     Where it would bend tighter than ``radius`` at its ends it lies on circles of that radius there. Everything about
-    the point-symmetric half is one turning angle, found by bisection; plain quadrature, because compiling the actuator's
-    own law once more would take longer than the whole drawing. Tests hold it against that law.
+    the point-symmetric half is one turning angle, found by bisection; plain quadrature, because compiling the
+    actuator's own law once more would take longer than the whole drawing. Tests hold it against that law.
     """
     chord = math.atan2(rise, span)
     turn = _bisect(lambda t: t - math.atan2(_across(t), 2.0 * math.sqrt(math.sin(t))) - chord, 1e-9, 0.95 * math.pi)
     scale = 0.5 * math.hypot(span, rise) / math.hypot(2.0 * math.sqrt(math.sin(turn)), _across(turn))
     arc = 0.0
-    if scale < radius * math.sqrt(math.sin(turn)):  # the ends are the tightest place up to 90 degrees
+    # the ends are the tightest place up to 90 degrees of slope
+    if math.isfinite(radius) and scale < radius * math.sqrt(math.sin(turn)):
         middle = np.array([0.5 * span, 0.5 * rise - radius]) / radius  # from the centre of the circle
         turn = _bisect(lambda psi: float(np.hypot(*_from_centre(psi)) - np.hypot(*middle)), 1e-9, 0.95 * math.pi)
         away = _from_centre(turn)

@@ -53,11 +53,19 @@ def draw(actuator: Maccepa, dataset: xr.Dataset) -> Drawing:
             _spring(part, actuator, poses, 0.45 * size + pull, size)
             block(part, np.array([anchor, 0.0]), 0.035 * size, 0.16 * size, colour=METAL, zorder=8.0)
             joint(part, np.zeros(2), 0.035 * size)
-        legend(figure, [("link", FAINT, "patch"), ("anchor that guides the cable", METAL, "patch"),
-                        ("spring, at the whole deflection", VERMILION, "line")])
+        legend(
+            figure,
+            [
+                ("link", FAINT, "patch"),
+                ("anchor that guides the cable", METAL, "patch"),
+                ("spring, at the whole deflection", VERMILION, "line"),
+            ],
+        )
     caption = (
-        "Lever, anchor and cable to scale, in the frame of the link. The lever turns with the drive; the cable runs from its"
-        " tip through the anchor to the spring. Grey: zero deflection; colours: half and whole usable deflection. Of the spring only"
+        "Lever, anchor and cable to scale, in the frame of the link. The lever turns with the drive;"
+        " the cable runs from its"
+        " tip through the anchor to the spring. Grey: zero deflection; colours: half and whole"
+        " usable deflection. Of the spring only"
         " its elongation is to scale: the plates stand where the cable pulls them."
     )
     return Drawing("mechanism", "The mechanism to scale", figure, caption)
@@ -79,11 +87,16 @@ def _lever(axes: Axes, actuator: Maccepa, pose: Pose, size: float, *, zorder: fl
 
 
 def _spring(axes: Axes, actuator: Maccepa, poses: list[Pose], free: float, size: float) -> None:
-    """Compression spring behind the anchor: the cable pulls its plate towards the anchor as the elongation grows."""
+    """Compression spring behind the anchor: the cable pulls its plate towards the anchor."""
     anchor = actuator.anchor_distance * MM
     ends = [anchor + free - _elongation(actuator, pose) for pose in poses]
     steps = np.linspace(0.0, 1.0, 40 * COILS)
-    axes.plot(anchor + (ends[-1] - anchor) * steps, 0.055 * size * np.sin(2.0 * math.pi * COILS * steps), color=VERMILION,
-              linewidth=1.8, zorder=7.0)
+    axes.plot(
+        anchor + (ends[-1] - anchor) * steps,
+        0.055 * size * np.sin(2.0 * math.pi * COILS * steps),
+        color=VERMILION,
+        linewidth=1.8,
+        zorder=7.0,
+    )
     for pose, end in zip(poses, ends, strict=True):
         block(axes, np.array([end, 0.0]), 0.016 * size, 0.15 * size, colour=pose.colour, zorder=8.0)

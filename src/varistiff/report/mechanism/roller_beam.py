@@ -34,7 +34,7 @@ NOMINAL_ROLLER = 0.012  # of the drawing's size, where the design's numbers do n
 
 
 def draw(actuator: RollerBeam, dataset: xr.Dataset) -> Drawing:
-    """Draw the clamp's frame: beam, rollers and the axis of link 2 at rest, at half and at the whole ok range."""
+    """Draw beam, rollers and the axis of link 2 in the clamp's frame, unloaded to the end of the ok range."""
     view = View.of(dataset)
     rows = end_rows(view)
     states = [poses_at(view, row) for row in rows]
@@ -44,7 +44,9 @@ def draw(actuator: RollerBeam, dataset: xr.Dataset) -> Drawing:
     behind = origin - rotation(actuator.mounting_angle) @ np.array([0.1 * size, 0.0])
     tips = [_on_shank(actuator, pose, 1.08 * pose.setting * MM, 0.0) for poses in states for pose in poses]
     around = [shape for group in shapes for shape in group]
-    bounds = Bounds.around(*around, np.array([*tips, origin, behind, [0.0, 0.05 * size], [0.0, -0.05 * size]]), margin=0.025)
+    bounds = Bounds.around(
+        *around, np.array([*tips, origin, behind, [0.0, 0.05 * size], [0.0, -0.05 * size]]), margin=0.025
+    )
     with styled():
         titles = [f"Roller position {view.setting_text(row)}" for row in rows]
         figure, axes = panels(bounds, len(rows), titles=titles, poses=states)
@@ -52,12 +54,18 @@ def draw(actuator: RollerBeam, dataset: xr.Dataset) -> Drawing:
             _link_one(part, actuator, size)
             for order, (pose, shape) in enumerate(zip(poses, group, strict=True)):
                 _state(part, actuator, pose, shape, size, zorder=4.0 + 0.1 * order)
-        parts = [("clamp on link 1", METAL, "patch"), ("joint", "white", "round"), ("roller", METAL_LIGHT, "round"),
-                 ("axis of link 2", SOFT, "dash")]
+        parts = [
+            ("clamp on link 1", METAL, "patch"),
+            ("joint", "white", "round"),
+            ("roller", METAL_LIGHT, "round"),
+            ("axis of link 2", SOFT, "dash"),
+        ]
         legend(figure, parts)
     caption = (
-        "The mechanism to scale, in the frame of link 1, which carries the clamped beam and ends in the joint. Link 2 turns"
-        " about the joint; the rollers on its shuttle bend the beam. Grey: zero deflection; colours: half and whole usable"
+        "The mechanism to scale, in the frame of link 1, which carries the clamped beam and ends in"
+        " the joint. Link 2 turns"
+        " about the joint; the rollers on its shuttle bend the beam. Grey: zero deflection; colours:"
+        " half and whole usable"
         " deflection, at the stiffest and the softest usable setting."
     )
     if isinstance(actuator.rollers, SwivellingPair):
@@ -69,12 +77,13 @@ def _beam(view: View, actuator: RollerBeam, pose: Pose) -> Array:
     """Centreline of the whole beam in the clamp's frame [mm]."""
     beam = actuator.beam
     drawn = beam.length if math.isfinite(beam.length) else 1.2 * pose.setting
-    slope, force, length = (detail(view, pose, name) for name in ("contact_slope", "contact_force", "active_length"))
-    return bent(beam, slope=slope, force=force, length=length, drawn=drawn)
+    slope, length = detail(view, pose, "contact_slope"), detail(view, pose, "active_length")
+    return bent(slope=slope, length=length, drawn=drawn)
 
 
 def _joint(actuator: RollerBeam) -> Array:
-    return rotation(actuator.mounting_angle) @ -np.array([actuator.clamp_offset_along, actuator.clamp_offset_across]) * MM
+    offset = np.array([actuator.clamp_offset_along, actuator.clamp_offset_across])
+    return np.asarray(rotation(actuator.mounting_angle) @ -offset * MM)
 
 
 def _on_shank(actuator: RollerBeam, pose: Pose, along: float, across: float) -> Array:

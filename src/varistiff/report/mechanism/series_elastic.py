@@ -9,7 +9,17 @@ import xarray as xr
 from matplotlib.axes import Axes
 
 from varistiff.actuators.series_elastic import SeriesElastic
-from varistiff.report.mechanism.sheet import Bounds, Pose, bar, disc, joint, legend, panels, poses_at, rotation
+from varistiff.report.mechanism.sheet import (
+    Bounds,
+    Pose,
+    bar,
+    disc,
+    joint,
+    legend,
+    panels,
+    poses_at,
+    rotation,
+)
 from varistiff.report.style import FAINT, METAL, METAL_LIGHT, Drawing, styled
 from varistiff.report.view import View
 
@@ -30,7 +40,8 @@ def draw(actuator: SeriesElastic, dataset: xr.Dataset) -> Drawing:
         joint(axes[0], np.zeros(2), 0.09)
         legend(figure, [("drive shaft", METAL_LIGHT, "round"), ("housing with the link", FAINT, "patch")])
     caption = (
-        f"Sketch of the joint, spring stiffness {actuator.stiffness:.4g} N m/rad: no dimensions are given, but the angles are"
+        f"Sketch of the joint, spring stiffness {actuator.stiffness:.4g} N m/rad: no dimensions are"
+        " given, but the angles are"
         " true. The link is held; the drive shaft turns by the deflection, as the dashed pointers show."
     )
     return Drawing("mechanism", "The mechanism (a sketch)", figure, caption)

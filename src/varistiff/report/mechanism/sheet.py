@@ -1,10 +1,11 @@
-"""The drawing sheet of a mechanism: equal scale both ways, a scale bar, and the parts that several kinds share."""
+"""The drawing sheet of a mechanism: equal scales, a scale bar, and the parts that several kinds share."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -72,8 +73,11 @@ def poses_at(view: View, row: int, count: int = 3) -> list[Pose]:
     else:
         end = float(view.deflection[-1])
     load = np.atleast_2d(np.asarray(view.dataset[view.load_name].values, float))[row]
-    unit = display(str(view.dataset[view.load_name].attrs.get("units", "N*m")), float(np.nanmax(np.abs(load), initial=0.0)))
-    poses = []
+    unit = display(
+        str(view.dataset[view.load_name].attrs.get("units", "N*m")),
+        float(np.nanmax(np.abs(load), initial=0.0)),
+    )
+    poses: list[Pose] = []
     for order, (part, colour) in enumerate(zip(np.linspace(0.0, 1.0, count), [REST, *ramp(4)[1:3]], strict=False)):
         column = int(np.argmin(np.abs(view.deflection - part * end)))
         status = Status(int(view.status[row, column]))
@@ -86,13 +90,18 @@ def poses_at(view: View, row: int, count: int = 3) -> list[Pose]:
 
 
 def end_rows(view: View) -> list[int]:
-    """Rows of the shortest and longest setting that have ok points: what the stiffness drive does, at a glance."""
+    """Rows of the smallest and the largest setting that have ok points."""
     rows = view.some_settings(2)
     return [rows[0], rows[-1]] if rows[0] != rows[-1] else rows[:1]
 
 
 def panels(
-    bounds: Bounds, count: int, *, titles: Sequence[str], poses: Sequence[Sequence[Pose]] = (), scaled: bool = True
+    bounds: Bounds,
+    count: int,
+    *,
+    titles: Sequence[str],
+    poses: Sequence[Sequence[Pose]] = (),
+    scaled: bool = True,
 ) -> tuple[Figure, list[Axes]]:
     """Panels of one scale, stacked where the mechanism is wide and side by side where it is not.
 
@@ -117,12 +126,24 @@ def panels(
         part = figure.add_axes((left / WIDTH, bottom / height, wide / WIDTH, tall / height))
         part.set_axis_off()
         _show(part, bounds, wide / tall)
-        figure.text(left / WIDTH, (bottom + tall + head - 0.05) / height, titles[index], fontsize=12.0, fontweight="bold", va="top")
+        figure.text(
+            left / WIDTH,
+            (bottom + tall + head - 0.05) / height,
+            titles[index],
+            fontsize=12.0,
+            fontweight="bold",
+            va="top",
+        )
         if keys:
             handles = [Line2D([], [], color=pose.colour, linewidth=3.0, label=pose.label) for pose in poses[index]]
             figure.legend(
-                handles=handles, loc="upper left", bbox_to_anchor=(left / WIDTH, (bottom + tall + head - 0.3) / height),
-                ncols=len(handles) if stacked else 1, columnspacing=1.8, labelspacing=0.3, handlelength=1.8,
+                handles=handles,
+                loc="upper left",
+                bbox_to_anchor=(left / WIDTH, (bottom + tall + head - 0.3) / height),
+                ncols=len(handles) if stacked else 1,
+                columnspacing=1.8,
+                labelspacing=0.3,
+                handlelength=1.8,
             )
         if scaled:
             scale_bar(part)
@@ -135,8 +156,11 @@ def _show(axes: Axes, bounds: Bounds, shape: float) -> None:
     middle = (0.5 * (bounds.left + bounds.right), 0.5 * (bounds.bottom + bounds.top))
     width = max(bounds.width, bounds.height * shape)
     shown = replace(
-        bounds, left=middle[0] - width / 2, right=middle[0] + width / 2,
-        bottom=middle[1] - width / shape / 2, top=middle[1] + width / shape / 2,
+        bounds,
+        left=middle[0] - width / 2,
+        right=middle[0] + width / 2,
+        bottom=middle[1] - width / shape / 2,
+        top=middle[1] + width / shape / 2,
     )
     axes.set_xlim(shown.left, shown.right)
     axes.set_ylim(shown.bottom, shown.top)
@@ -152,8 +176,16 @@ def scale_bar(axes: Axes) -> None:
     length = max(step * power for step in (1.0, 2.0, 5.0) if step * power <= 0.25 * span)
     x, y = right - 0.015 * span - length, bottom + 0.012 * span
     axes.plot([x, x + length], [y, y], color=INK, linewidth=2.6, solid_capstyle="butt", zorder=9)
-    axes.text(x + length / 2, y + 0.012 * span, f"{number(length)} mm", ha="center", va="bottom", fontsize=10.5, zorder=9,
-              bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.6})
+    axes.text(
+        x + length / 2,
+        y + 0.012 * span,
+        f"{number(length)} mm",
+        ha="center",
+        va="bottom",
+        fontsize=10.5,
+        zorder=9,
+        bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.6},
+    )
 
 
 def legend(figure: Figure, parts: Sequence[tuple[str, str, str]]) -> None:
@@ -164,13 +196,31 @@ def legend(figure: Figure, parts: Sequence[tuple[str, str, str]]) -> None:
             hatch = "////" if look == "wall" else ""
             handles.append(Patch(facecolor=colour, edgecolor=INK, linewidth=0.7, hatch=hatch, label=name))
         elif look == "round":
-            handles.append(Line2D([], [], color=INK, marker="o", markersize=8.5, markerfacecolor=colour, markeredgewidth=1.0,
-                                  linestyle="none", label=name))
+            handles.append(
+                Line2D(
+                    [],
+                    [],
+                    color=INK,
+                    marker="o",
+                    markersize=8.5,
+                    markerfacecolor=colour,
+                    markeredgewidth=1.0,
+                    linestyle="none",
+                    label=name,
+                )
+            )
         else:
-            style = "solid" if look == "line" else (0, (6, 2, 1.2, 2))
+            style: Any = "solid" if look == "line" else (0, (6, 2, 1.2, 2))
             handles.append(Line2D([], [], color=colour, linewidth=1.6, linestyle=style, label=name))
-    figure.legend(handles=handles, loc="lower center", ncols=4, columnspacing=1.6, handlelength=1.6, labelspacing=0.35,
-                  bbox_to_anchor=(0.5, 0.05 / float(figure.get_figheight())))
+    figure.legend(
+        handles=handles,
+        loc="lower center",
+        ncols=4,
+        columnspacing=1.6,
+        handlelength=1.6,
+        labelspacing=0.35,
+        bbox_to_anchor=(0.5, 0.05 / float(figure.get_figheight())),
+    )
 
 
 def strip(axes: Axes, centreline: Array, thickness: float, *, colour: str, zorder: float = 4.0) -> None:
@@ -184,19 +234,54 @@ def strip(axes: Axes, centreline: Array, thickness: float, *, colour: str, zorde
     axes.add_patch(Polygon(outline, closed=True, facecolor=colour, edgecolor="none", zorder=zorder))
 
 
-def block(axes: Axes, centre: Array, width: float, height: float, angle: float = 0.0, *, colour: str = METAL,
-          hatch: str = "", zorder: float = 3.0) -> None:
+def block(
+    axes: Axes,
+    centre: Array,
+    width: float,
+    height: float,
+    angle: float = 0.0,
+    *,
+    colour: str = METAL,
+    hatch: str = "",
+    zorder: float = 3.0,
+) -> None:
     """A rectangular part about its centre, turned by an angle [rad]."""
     corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * (0.5 * width, 0.5 * height)
-    axes.add_patch(Polygon(centre + corners @ rotation(angle).T, closed=True, facecolor=colour, edgecolor=INK, linewidth=0.8,
-                           hatch=hatch, zorder=zorder))
+    axes.add_patch(
+        Polygon(
+            centre + corners @ rotation(angle).T,
+            closed=True,
+            facecolor=colour,
+            edgecolor=INK,
+            linewidth=0.8,
+            hatch=hatch,
+            zorder=zorder,
+        )
+    )
 
 
-def disc(axes: Axes, centre: Array, radius: float, *, colour: str = METAL_LIGHT, edge: str = INK, width: float = 1.1,
-         zorder: float = 5.0, fill: bool = True) -> None:
+def disc(
+    axes: Axes,
+    centre: Array,
+    radius: float,
+    *,
+    colour: str = METAL_LIGHT,
+    edge: str = INK,
+    width: float = 1.1,
+    zorder: float = 5.0,
+    fill: bool = True,
+) -> None:
     """A round part."""
-    axes.add_patch(Circle((float(centre[0]), float(centre[1])), radius, facecolor=colour if fill else "none", edgecolor=edge,
-                          linewidth=width, zorder=zorder))
+    axes.add_patch(
+        Circle(
+            (float(centre[0]), float(centre[1])),
+            radius,
+            facecolor=colour if fill else "none",
+            edgecolor=edge,
+            linewidth=width,
+            zorder=zorder,
+        )
+    )
 
 
 def joint(axes: Axes, centre: Array, radius: float) -> None:
@@ -209,19 +294,43 @@ def bar(axes: Axes, points: Array, width: float, *, colour: str = FAINT, zorder:
     """A rigid link of some width along a polyline."""
     left, right = axes.get_xlim()
     points_per_unit = 72.0 * WIDTH * float(axes.get_position().width) / (right - left)
-    axes.plot(points[:, 0], points[:, 1], color=colour, linewidth=width * points_per_unit, solid_capstyle="round",
-              solid_joinstyle="round", zorder=zorder)
+    axes.plot(
+        points[:, 0],
+        points[:, 1],
+        color=colour,
+        linewidth=width * points_per_unit,
+        solid_capstyle="round",
+        solid_joinstyle="round",
+        zorder=zorder,
+    )
 
 
 def axis_line(axes: Axes, points: Array, *, colour: str = SOFT, zorder: float = 2.0) -> None:
     """A centre line: dash and dot."""
-    axes.plot(points[:, 0], points[:, 1], color=colour, linewidth=1.0, linestyle=(0, (8, 2.5, 1.2, 2.5)), zorder=zorder)
+    axes.plot(
+        points[:, 0],
+        points[:, 1],
+        color=colour,
+        linewidth=1.0,
+        linestyle=(0, (8, 2.5, 1.2, 2.5)),
+        zorder=zorder,
+    )
 
 
 def wall(axes: Axes, left: float, bottom: float, width: float, height: float) -> None:
     """Something fixed: hatched."""
-    axes.add_patch(Rectangle((left, bottom), width, height, facecolor=METAL_LIGHT, edgecolor=INK, hatch="////", linewidth=0.8,
-                             zorder=3.0))
+    axes.add_patch(
+        Rectangle(
+            (left, bottom),
+            width,
+            height,
+            facecolor=METAL_LIGHT,
+            edgecolor=INK,
+            hatch="////",
+            linewidth=0.8,
+            zorder=3.0,
+        )
+    )
 
 
 def rotation(angle: float) -> Array:

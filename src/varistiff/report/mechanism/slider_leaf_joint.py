@@ -31,7 +31,7 @@ from varistiff.report.view import Array, View
 
 
 def draw(actuator: SliderLeafJoint, dataset: xr.Dataset) -> Drawing:
-    """Draw the joint along its axis, in the frame of the output disc, at rest, half and whole usable deflection."""
+    """Draw the joint along its axis, in the frame of the output disc, unloaded to the end of the ok range."""
     view = View.of(dataset)
     rows = end_rows(view)
     states = [poses_at(view, row) for row in rows]
@@ -55,8 +55,10 @@ def draw(actuator: SliderLeafJoint, dataset: xr.Dataset) -> Drawing:
         legend(figure, parts)
     leaves = "One leaf" if actuator.count == 1 else f"{actuator.count} leaves"
     caption = (
-        f"The joint to scale along its axis. {leaves}, seen on edge, clamped on the output disc; the sliders turn with the"
-        " input disc. Grey: zero deflection; colours: half and whole usable deflection, at the stiffest and the softest usable"
+        f"The joint to scale along its axis. {leaves}, seen on edge, clamped on the output disc; the"
+        " sliders turn with the"
+        " input disc. Grey: zero deflection; colours: half and whole usable deflection, at the"
+        " stiffest and the softest usable"
         " setting."
     )
     return Drawing("mechanism", "The mechanism to scale", figure, caption)
@@ -101,9 +103,8 @@ def _leaf(view: View, actuator: SliderLeafJoint, pose: Pose) -> Array:
     if isinstance(actuator.theory, SmallDeflection):
         offset = (actuator.clamp_radius + active) * math.tan(pose.deflection)
         return cubic(length=active, offset=offset, drawn=drawn)
-    slope, force, length = (detail(view, pose, name) for name in ("leaf_rotation", "contact_force", "active_arc_length"))
-    slope = math.copysign(slope, pose.deflection)
-    return bent(actuator.leaf, slope=slope, force=abs(force), length=length, drawn=drawn)
+    slope, length = (detail(view, pose, name) for name in ("leaf_rotation", "active_arc_length"))
+    return bent(slope=slope, length=length, drawn=drawn)
 
 
 def _slider(axes: Axes, pin: Array, angle: float, thickness: float, rim: float, colour: str, zorder: float) -> None:
@@ -127,14 +128,17 @@ def _groove(axes: Axes, view: View, actuator: SliderLeafJoint, pose: Pose) -> No
 
 
 def _arc(groove: Groove) -> Array:
-    """Radius [mm] and disc angle [rad] along the groove from A to C, shape (N, 2): plain geometry of its circle."""
+    """Radius [mm] and disc angle [rad] along the groove from A to C, shape (N, 2)."""
     start = np.array([0.0, groove.inner_radius])
     end = groove.outer_radius * np.array([math.sin(groove.outer_angle), math.cos(groove.outer_angle)])
     chord = end - start
     size = float(np.hypot(*chord))
     height = math.sqrt(max(groove.arc_radius**2 - 0.25 * size**2, 0.0))
     normal = np.array([-chord[1], chord[0]]) / size
-    centres = sorted((0.5 * (start + end) + side * height * normal for side in (1.0, -1.0)), key=lambda point: float(np.hypot(*point)))
+    centres = sorted(
+        (0.5 * (start + end) + side * height * normal for side in (1.0, -1.0)),
+        key=lambda point: float(np.hypot(*point)),
+    )
     centre = centres[0] if groove.centre == "near" else centres[1]
     first, last = (math.atan2(*(point - centre)[::-1]) for point in (start, end))
     turn = (last - first + math.pi) % (2.0 * math.pi) - math.pi

@@ -28,12 +28,16 @@ GENERATORS = 24  # lines along the element that show its twist
 
 
 def draw(actuator: TorsionTube, dataset: xr.Dataset) -> Drawing:
-    """Draw the side view at three settings, each twisted to the end of its ok range, and the section at the bearing."""
+    """Draw side view and section at three settings, each twisted to the end of its ok range."""
     view = View.of(dataset)
     rows = view.some_settings(3)
     states = [poses_at(view, row) for row in rows]
     outer, inner = _radii(actuator)
-    length = actuator.length if math.isfinite(actuator.length) else float(view.setting.max() if view.setting is not None else 0)
+    length = (
+        actuator.length
+        if math.isfinite(actuator.length)
+        else float(view.setting.max() if view.setting is not None else 0)
+    )
     length *= MM
     section = length + 3.6 * outer
     bounds = Bounds(-1.3 * outer, section + 1.7 * outer, -1.75 * outer, 1.75 * outer)
@@ -43,12 +47,17 @@ def draw(actuator: TorsionTube, dataset: xr.Dataset) -> Drawing:
         for part, poses in zip(axes, states, strict=True):
             _side_view(part, actuator, poses[-1], outer, length)
             _section(part, actuator, poses, (section, 0.0), outer, inner)
-        parts = [("flange, drive side", METAL_LIGHT, "wall"), ("elastic element", METAL_LIGHT, "patch"),
-                 ("counter bearing, link side", BLUE, "patch")]
+        parts = [
+            ("flange, drive side", METAL_LIGHT, "wall"),
+            ("elastic element", METAL_LIGHT, "patch"),
+            ("counter bearing, link side", BLUE, "patch"),
+        ]
         legend(figure, parts)
     caption = (
-        "The mechanism to scale. Left: the element between its flange and the counter bearing, whose place is the active"
-        " length; lines that are straight at rest show the twist at the end of the usable range. Right: the section at the"
+        "The mechanism to scale. Left: the element between its flange and the counter bearing, whose"
+        " place is the active"
+        " length; lines that are straight at rest show the twist at the end of the usable range."
+        " Right: the section at the"
         " bearing, with the twist of the element at rest, half and whole usable deflection."
     )
     if math.isfinite(actuator.series_stiffness):
@@ -83,11 +92,23 @@ def _side_view(axes: Axes, actuator: TorsionTube, pose: Pose, outer: float, leng
         place = start + turned
         seen = np.cos(place) > 0.0
         marked = abs(start) < 1e-9
-        axes.plot(along, np.where(seen, outer * np.sin(place), np.nan), color=pose.colour if marked else SOFT,
-                  linewidth=2.6 if marked else 0.7, zorder=4.0 if marked else 3.0)
+        axes.plot(
+            along,
+            np.where(seen, outer * np.sin(place), np.nan),
+            color=pose.colour if marked else SOFT,
+            linewidth=2.6 if marked else 0.7,
+            zorder=4.0 if marked else 3.0,
+        )
 
 
-def _section(axes: Axes, actuator: TorsionTube, poses: list[Pose], centre: tuple[float, float], outer: float, inner: float) -> None:
+def _section(
+    axes: Axes,
+    actuator: TorsionTube,
+    poses: list[Pose],
+    centre: tuple[float, float],
+    outer: float,
+    inner: float,
+) -> None:
     middle = np.array(centre)
     disc(axes, middle, outer, colour=METAL_LIGHT, width=1.2, zorder=3.0)
     if inner > 0.0:
