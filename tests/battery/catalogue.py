@@ -38,9 +38,11 @@ from varistiff.elastic.sliding_leaf import SlidingLeaf
 from varistiff.elastic.wrapped_leaf import WrappedLeaf
 from varistiff.sections import Circle, HollowCircle
 
+from .evaluation import BATCH
+
 Floats = NDArray[np.float64]
 Region = tuple[float, float]
-POINTS = 24  # of every batch: one shape, compiled once
+POINTS = BATCH  # of every sample
 
 
 @dataclass(frozen=True)

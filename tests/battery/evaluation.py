@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import equinox as eqx
 import jax
 import jax.numpy as jnp
@@ -12,6 +14,7 @@ from varistiff.actuators import Actuator, Response
 from varistiff.characteristic.evaluate import evaluate
 
 Floats = NDArray[np.float64]
+BATCH = 24  # one shape, compiled once
 
 
 @eqx.filter_jit
@@ -30,18 +33,35 @@ def _gradient(actuator: Actuator, deflection: jax.Array, setting: jax.Array) -> 
 
 def traced(actuator: Actuator) -> Actuator:
     """The same device with arrays for its numbers: compiled once for all parameter values."""
-    return jax.tree.map(lambda leaf: jnp.asarray(leaf) if isinstance(leaf, float) else leaf, actuator)
+    device: Actuator = jax.tree.map(lambda leaf: jnp.asarray(leaf) if isinstance(leaf, float) else leaf, actuator)
+    return device
+
+
+def _batches(deflection: Floats, setting: Floats) -> Iterator[tuple[jax.Array, jax.Array, int]]:
+    """Batches of one size, the last one filled up, and how many points of each count."""
+    for start in range(0, len(deflection), BATCH):
+        parts = [values[start : start + BATCH] for values in (deflection, setting)]
+        count = len(parts[0])
+        full = [np.append(part, np.full(BATCH - count, part[-1])) for part in parts]
+        yield jnp.asarray(full[0]), jnp.asarray(full[1]), count
 
 
 def energy(actuator: Actuator, deflection: Floats, setting: Floats) -> Floats:
     """V [J] at points."""
-    return np.asarray(_energy(traced(actuator), jnp.asarray(deflection), jnp.asarray(setting)))
+    device = traced(actuator)
+    batches = _batches(deflection, setting)
+    return np.concatenate([np.asarray(_energy(device, d, s))[:count] for d, s, count in batches])
 
 
 def energy_gradient(actuator: Actuator, deflection: Floats, setting: Floats) -> tuple[Floats, Floats]:
     """Both first derivatives of V by automatic differentiation."""
-    along, across = _gradient(traced(actuator), jnp.asarray(deflection), jnp.asarray(setting))
-    return np.asarray(along), np.asarray(across)
+    device = traced(actuator)
+    parts = [
+        np.stack([np.asarray(side)[:count] for side in _gradient(device, d, s)])
+        for d, s, count in _batches(deflection, setting)
+    ]
+    along, across = np.concatenate(parts, axis=1)
+    return along, across
 
 
 def respond(actuator: Actuator, deflection: Floats, setting: Floats) -> dict[str, Floats]:

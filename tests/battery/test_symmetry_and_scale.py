@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from varistiff.actuators import FixedPair, RollerBeam, SingleLower, SingleUpper, SwivellingPair
+from varistiff.actuators import FixedPair, RollerBeam, Rollers, SingleLower, SingleUpper, SwivellingPair
 
 from .catalogue import CATALOGUE, Case, Scale
 from .evaluation import respond
@@ -29,6 +29,7 @@ def test_mirror_symmetric_devices(case: Case) -> None:
 def _mirrored(device: RollerBeam) -> RollerBeam:
     """Change the sign of the mounting angle, of both offsets across, and swap the rollers."""
     rollers = device.rollers
+    other: Rollers
     if isinstance(rollers, SingleLower):
         other = SingleUpper(offset=-rollers.offset, radius=rollers.radius)
     elif isinstance(rollers, SingleUpper):

@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 import math
+import subprocess
+import sys
 import time
+from fractions import Fraction
 
+import pint
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -60,6 +64,17 @@ def test_a_quantity_becomes_its_si_value(text: str, kind: Kind, value: float) ->
         ("1 kg", quantity.FORCE, "is a mass"),
         ("1 m/s", quantity.LENGTH, "of another kind"),
         ("1 mPa", quantity.STRESS, 'did you mean "MPa"'),
+        ("1 Mm", quantity.LENGTH, 'did you mean "mm"'),
+        ("1 dimensionless", quantity.ANGLE, "unknown unit"),
+        ("1 percent", quantity.ANGLE, "unknown unit"),
+        ("1 nan", quantity.LENGTH, "unknown unit"),
+        ("2 rads", quantity.ANGLE, 'did you mean "rad"'),
+        ("1 N per mm", quantity.LINEAR_STIFFNESS, "unknown unit"),
+        ("1 m squared", quantity.LENGTH, "unknown unit"),
+        ("1 2*mm", quantity.LENGTH, "cannot read the unit"),
+        ("1 [length]", quantity.LENGTH, "cannot read the unit"),
+        ("1 m^0", quantity.LENGTH, "is a pure number"),
+        ("1 m^5", quantity.LENGTH, "power beyond 4"),
         ("20 degC", quantity.ANGLE, "unknown unit"),
         ("3 %", quantity.LENGTH, "cannot read the unit"),
         ("0.9", quantity.LENGTH, "has no unit"),
@@ -148,8 +163,38 @@ def test_text_that_looks_like_a_quantity_does_no_harm(text: str, kind: Kind) -> 
     assert line.isprintable()
 
 
-def test_every_unit_agrees_with_an_independent_table() -> None:
-    pint = pytest.importorskip("pint")
+@pytest.mark.parametrize(
+    ("symbol", "factor"),
+    [
+        # legal definitions: international yard and pound 1959, standard gravity CGPM 1901, SI Brochure table 8
+        ("in", "0.0254"),
+        ("ft", "0.3048"),
+        ("lb", "0.45359237"),
+        ("kgf", "9.80665"),
+        ("lbf", "4.4482216152605"),
+        ("psi", Fraction("4.4482216152605") / Fraction("0.00064516")),
+        ("ksi", Fraction("4448.2216152605") / Fraction("0.00064516")),
+        ("bar", 100000),
+        ("l", "0.001"),
+        ("t", 1000),
+        ("h", 3600),
+        ("Wh", 3600),
+        ("kNm", 1000),
+        ("Nmm", "0.001"),
+        ("µm", "0.000001"),
+    ],
+)
+def test_a_defined_unit_has_exactly_its_factor(symbol: str, factor: str | int | Fraction) -> None:
+    assert atoms()[symbol].factor == Fraction(factor)
+
+
+def test_a_quantity_is_rounded_once() -> None:
+    assert parse_quantity("25.4 mm", quantity.LENGTH) == 0.0254  # 25.4 * 1e-3 is 0.025399999999999999
+    assert parse_quantity("360 deg", quantity.ANGLE) == 2.0 * math.pi
+    assert parse_quantity("180 deg", quantity.ANGLE) == parse_quantity("0.5 turn", quantity.ANGLE) == math.pi
+
+
+def test_every_unit_agrees_with_the_default_table_of_pint() -> None:
     registry = pint.UnitRegistry()
     base = {
         "length": "m",
@@ -162,6 +207,7 @@ def test_every_unit_agrees_with_an_independent_table() -> None:
         "frequency": "Hz",
     }
     other_names = {"Nm": "N*m", "Nmm": "N*mm", "lb": "pound", "L": "liter", "rev": "turn", "h": "hour"}
+    assert len(atoms()) > 80
     for symbol, unit in atoms().items():
         name = other_names.get(symbol, symbol)
         if symbol.endswith("Nm"):
@@ -170,3 +216,11 @@ def test_every_unit_agrees_with_an_independent_table() -> None:
         si = registry.Quantity(1.0, "*".join(f"{base[measure]}**{power}" for measure, power in unit.signature))
         # a few roundings of doubles in the other table
         assert float(unit.factor) == pytest.approx((expected / si).to_base_units().magnitude, rel=1e-14), symbol
+
+
+def test_pint_waits_for_the_first_quantity() -> None:
+    script = (
+        "import sys; from varistiff.core import quantity; assert not {'pint', 'numpy'} & set(sys.modules)\n"
+        "quantity.parse_quantity('1 mm', quantity.LENGTH); assert 'pint' in sys.modules\n"
+    )
+    subprocess.run([sys.executable, "-c", script], check=True)

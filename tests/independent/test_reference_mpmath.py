@@ -2,29 +2,13 @@
 
 from __future__ import annotations
 
-import importlib.util
 import math
-import sys
-from pathlib import Path
 from types import ModuleType
 
 import mpmath as mp
 import pytest
 
 from .references.rod_bvp import roller_contact
-
-
-@pytest.fixture(scope="module")
-def reference() -> ModuleType:
-    """Load benchmarks/reference_mpmath.py, which is no package."""
-    path = Path(__file__).parents[2] / "benchmarks" / "reference_mpmath.py"
-    spec = importlib.util.spec_from_file_location("reference_mpmath", path)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    return module
 
 
 @pytest.mark.parametrize("slope", ["0.001", "0.7", "1.5707", "2.5", "3.1"])

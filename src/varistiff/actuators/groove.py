@@ -74,18 +74,19 @@ class Groove(eqx.Module):
         return rate * (e_3 + root) / root
 
     def angle(self, active_length: Field) -> Field:
-        """Disc angle [rad] for an active length between 0 and r_1 - r_2: the inverse of ``active_length``."""
+        """Smallest disc angle [rad] on the groove for an active length: the inverse of ``active_length``, NaN off it."""
         x, y = self.centre_position
         radius = self.inner_radius + active_length
         distance = jnp.hypot(x, y)
         cosine = (radius**2 + distance**2 - self.arc_radius**2) / (2.0 * radius * distance)
-        swing = jnp.arccos(jnp.clip(cosine, -1.0, 1.0))
+        swing = jnp.arccos(cosine)  # NaN where the circle has no such radius
         direction = jnp.arctan2(x, y)
-        # of the two crossings take the one on whose side C lies
         turn = 2.0 * jnp.pi
-        wrapped = (self.outer_angle - direction + jnp.pi) % turn - jnp.pi
-        found = direction + jnp.where(wrapped >= 0.0, swing, -swing)
-        return (found + jnp.pi) % turn - jnp.pi
+        crossings = [(direction + side * swing + jnp.pi) % turn - jnp.pi for side in (-1.0, 1.0)]
+        # the disc meets the first crossing on the groove before any other
+        on_groove = [jnp.where((c > 0.0) & (c <= self.outer_angle * (1.0 + 1e-9)), c, jnp.inf) for c in crossings]
+        found = jnp.minimum(*on_groove)
+        return jnp.where(jnp.isfinite(found), found, jnp.nan)
 
     def reaches(self, angle: Field) -> Array:
         """Whether the disc angle lies on the groove, beyond A and up to C (a rounding error beyond C is allowed)."""

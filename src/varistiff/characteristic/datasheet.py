@@ -242,17 +242,20 @@ def _load_rows(table: MapTable) -> Iterator[Row]:
     # a row without an ok point has no limit at all: it must not hide the others
     limits = (_limit(table, row) for row in range(table.status.shape[0]))
     ends = [limit for limit in limits if limit.deflection is not None]
-    if ends:
-        shortest, longest = (f(ends, key=lambda limit: abs(limit.deflection or 0.0)) for f in (min, max))
-        for key, label, limit in (("min", "Shortest", shortest), ("max", "Longest", longest)):
-            note = limit.status.label if limit.status is not None else "edge of the map"
-            if limit.setting is not None:
-                note = f"at setting {spoken(limit.setting, table.units['setting'])}; ended by {note}"
-            else:
-                note = f"ended by {note}"
-            value = abs(limit.deflection or 0.0)
-            yield Row(f"deflection_limit_{key}", f"{label} deflection range", value, table.units["deflection"], note)
+    if ends and table.setting is None:
+        yield _limit_row(table, "deflection_limit", "Deflection range", ends[0])
+    elif ends:
+        shortest, longest = (pick(ends, key=lambda limit: abs(limit.deflection or 0.0)) for pick in (min, max))
+        yield _limit_row(table, "deflection_limit_min", "Shortest deflection range", shortest)
+        yield _limit_row(table, "deflection_limit_max", "Longest deflection range", longest)
     yield from _play_row(table)
+
+
+def _limit_row(table: MapTable, key: str, label: str, limit: Limit) -> Row:
+    note = f"ended by {limit.status.label if limit.status is not None else 'the edge of the map'}"
+    if limit.setting is not None:
+        note = f"at setting {spoken(limit.setting, table.units['setting'])}; {note}"
+    return Row(key, label, abs(limit.deflection or 0.0), table.units["deflection"], note)
 
 
 def _play_row(table: MapTable) -> Iterator[Row]:

@@ -48,13 +48,12 @@ def characteristic_map(
 
     d = np.asarray(deflection, float)
     s = None if setting is None else np.asarray(setting, float)
+    dims: tuple[str, ...]
     if s is None:
-        points, dims = evaluate(actuator, d, progress=progress), ("deflection",)
+        dims, points = ("deflection",), evaluate(actuator, d, progress=progress)
     else:
-        points, dims = (
-            evaluate(actuator, d[None, :], s[:, None], progress=progress),
-            ("setting", "deflection"),
-        )
+        dims = ("setting", "deflection")
+        points = evaluate(actuator, d[None, :], s[:, None], progress=progress)
     angular = actuator.deflection_unit == "rad"
     coords: dict[str, Any] = {
         "deflection": (

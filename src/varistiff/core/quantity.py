@@ -31,7 +31,7 @@ class Kind:
     name : with its article, as messages say it
     example : text that passes
     unit : SI unit of the parsed value
-    signatures : what its units may measure
+    signatures : what its units may measure: the dimensionality that pint gives them by ``units.txt``
     """
 
     name: str

@@ -1,8 +1,7 @@
-"""Units that the edge understands, exact, each with what it measures.
+"""Units that the edge understands: pint parses and converts them, exactly, by the definitions in ``units.txt``.
 
-A unit is a factor to SI and a signature over *measures* (length, angle, force, pressure, energy ...).
-The measures are deliberately finer than the SI base: an angle is not a pure number and ``J`` is not ``N*m``,
-so that a torque, an energy and a rotational stiffness stay three different things.
+In front of pint stands a strict grammar: what reaches it is a short product of known symbols with small whole
+powers. pint by itself takes any prefix and a plural s, and evaluates arithmetic.
 """
 
 from __future__ import annotations
@@ -10,36 +9,16 @@ from __future__ import annotations
 import re
 from fractions import Fraction
 from functools import cache
-from typing import NamedTuple
+from importlib import resources
+from typing import TYPE_CHECKING, NamedTuple
 
 from varistiff.core.errors import InputError
 from varistiff.core.suggest import nearest, quoted
 
-Signature = tuple[tuple[str, int], ...]
+if TYPE_CHECKING:
+    from pint import UnitRegistry
 
-# pi to 60 digits: conversions round once, to the nearest double
-PI = Fraction("3.14159265358979323846264338327950288419716939937510582097494")
-
-_MICRO = "u\u00b5\u03bc"
-_PREFIXES = {
-    "n": Fraction(1, 10**9),
-    "u": Fraction(1, 10**6),
-    "\u00b5": Fraction(1, 10**6),  # the micro sign
-    "\u03bc": Fraction(1, 10**6),  # the Greek letter, which looks the same
-    "m": Fraction(1, 10**3),
-    "c": Fraction(1, 10**2),
-    "d": Fraction(1, 10),
-    "h": Fraction(10**2),
-    "k": Fraction(10**3),
-    "M": Fraction(10**6),
-    "G": Fraction(10**9),
-    "T": Fraction(10**12),
-}
-
-_POUND = Fraction("0.45359237")
-_INCH = Fraction("0.0254")
-_GRAVITY = Fraction("9.80665")
-_POUND_FORCE = _POUND * _GRAVITY
+Signature = tuple[tuple[str, int], ...]  # pint's dimensionality, sorted: hashable, and known without pint
 
 
 class Unit(NamedTuple):
@@ -49,76 +28,51 @@ class Unit(NamedTuple):
     signature: Signature
 
 
-def _atom(factor: Fraction | int, **measures: int) -> Unit:
-    return Unit(Fraction(factor), tuple(sorted(measures.items())))
-
-
-# symbol: (unit, prefixes that engineers use with it; others are more likely a slip, such as mPa for MPa)
-_PREFIXABLE: dict[str, tuple[Unit, str]] = {
-    "m": (_atom(1, length=1), "n" + _MICRO + "mcdk"),
-    "g": (_atom(Fraction(1, 1000), mass=1), _MICRO + "mk"),
-    "s": (_atom(1, time=1), "n" + _MICRO + "m"),
-    "rad": (_atom(1, angle=1), _MICRO + "m"),
-    "N": (_atom(1, force=1), _MICRO + "mckM"),
-    "Nm": (_atom(1, force=1, length=1), _MICRO + "mckM"),
-    "Pa": (_atom(1, pressure=1), "hkMGT"),
-    "J": (_atom(1, energy=1), "n" + _MICRO + "mkM"),
-    "Hz": (_atom(1, frequency=1), "mkM"),
+_MICRO = "u\u00b5\u03bc"
+# prefixes that engineers use with a symbol; others are more likely a slip, such as mPa for MPa
+_PREFIXES = {
+    "m": "n" + _MICRO + "mcdk",
+    "g": _MICRO + "m",
+    "s": "n" + _MICRO + "m",
+    "rad": _MICRO + "m",
+    "N": _MICRO + "mckM",
+    "Nm": _MICRO + "mckM",
+    "Pa": "hkMGT",
+    "J": "n" + _MICRO + "mkM",
+    "Hz": "mkM",
 }
 
-_PLAIN: dict[str, Unit] = {
-    "metre": _atom(1, length=1),
-    "meter": _atom(1, length=1),
-    "in": _atom(_INCH, length=1),
-    "inch": _atom(_INCH, length=1),
-    "ft": _atom(12 * _INCH, length=1),
-    "deg": _atom(PI / 180, angle=1),
-    "degree": _atom(PI / 180, angle=1),
-    "degrees": _atom(PI / 180, angle=1),
-    "°": _atom(PI / 180, angle=1),
-    "radian": _atom(1, angle=1),
-    "arcmin": _atom(PI / 10800, angle=1),
-    "arcsec": _atom(PI / 648000, angle=1),
-    "turn": _atom(2 * PI, angle=1),
-    "rev": _atom(2 * PI, angle=1),
-    "Nmm": _atom(Fraction(1, 1000), force=1, length=1),
-    "lbf": _atom(_POUND_FORCE, force=1),
-    "kgf": _atom(_GRAVITY, force=1),
-    "bar": _atom(10**5, pressure=1),
-    "psi": _atom(_POUND_FORCE / _INCH**2, pressure=1),
-    "ksi": _atom(1000 * _POUND_FORCE / _INCH**2, pressure=1),
-    "lb": _atom(_POUND, mass=1),
-    "t": _atom(1000, mass=1),
-    "min": _atom(60, time=1),
-    "h": _atom(3600, time=1),
-    "rpm": _atom(2 * PI / 60, angle=1, time=-1),
-    "Wh": _atom(3600, energy=1),
-    "l": _atom(Fraction(1, 1000), length=3),
-    "L": _atom(Fraction(1, 1000), length=3),
-}
-
-_SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
-_FACTOR = re.compile(r"([A-Za-z\u00b5\u03bc\u00b0]+)(?:(?:\^|\*\*)?([+-]?[0-9]+))?", re.ASCII)
-_OPERATOR = re.compile(r"\s*([*·⋅/])(?!\*)\s*|\s+")
+_PLAIN_SIGNS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻·⋅", "0123456789-**")
+_FACTOR = re.compile(r"([A-Za-z\u00b5\u03bc\u00b0]+)(?:(?:\^|\*\*)?([+-]?[0-9]+))?")
+_EXPRESSION = re.compile(rf"{_FACTOR.pattern}(?:(?: ?[*/] ?| ){_FACTOR.pattern})*")
 _LARGEST_POWER = 4
+
+
+@cache
+def _registry() -> UnitRegistry[Fraction]:
+    from pint import UnitRegistry  # with numpy most of a second: not for a command without quantities
+
+    definitions = resources.files("varistiff.core").joinpath("units.txt").read_text(encoding="utf-8")
+    return UnitRegistry(definitions.splitlines(), non_int_type=Fraction, on_redefinition="raise")
+
+
+@cache
+def _symbols() -> frozenset[str]:
+    prefixed = {prefix + symbol for symbol, prefixes in _PREFIXES.items() for prefix in prefixes}
+    return frozenset(prefixed.union(_registry()))
 
 
 @cache
 def atoms() -> dict[str, Unit]:
     """Return every unit symbol, prefixed ones included."""
-    table = dict(_PLAIN)
-    for symbol, (unit, prefixes) in _PREFIXABLE.items():
-        table[symbol] = unit
-        for prefix in prefixes:
-            table[prefix + symbol] = Unit(unit.factor * _PREFIXES[prefix], unit.signature)
-    return table
+    return {symbol: _measured(symbol) for symbol in sorted(_symbols())}
 
 
 def parse_unit(text: str) -> Unit:
     """Return the unit that an expression such as ``N*m/rad`` or ``kg/m^3`` names.
 
     Factors are joined by ``*``, a space, a middle dot or ``/``, which divides by the next factor only; a
-    power follows its factor. Nothing is evaluated and there are no brackets.
+    power follows its factor. There are no brackets and no numbers other than powers.
 
     Raises
     ------
@@ -127,25 +81,28 @@ def parse_unit(text: str) -> Unit:
     >>> parse_unit("N*m/deg").signature
     (('angle', -1), ('force', 1), ('length', 1))
     """
-    expression = text.translate(_SUPERSCRIPTS).strip()
-    factor, powers, position, sign = Fraction(1), dict[str, int](), 0, 1
-    while True:
-        match = _FACTOR.match(expression, position)
-        if match is None:
-            raise InputError(f"cannot read the unit {quoted(text)}; write it like mm, N*m/rad or kg/m^3")
-        atom, power = _symbol(match[1]), sign * _power(match[2], text)
-        factor *= atom.factor**power
-        for measure, exponent in atom.signature:
-            powers[measure] = powers.get(measure, 0) + power * exponent
-        position = match.end()
-        if position == len(expression):
-            break
-        operator = _OPERATOR.match(expression, position)
-        if operator is None:
-            raise InputError(f"cannot read the unit {quoted(text)}; write it like mm, N*m/rad or kg/m^3")
-        sign = -1 if operator[1] == "/" else 1
-        position = operator.end()
-    return Unit(factor, tuple(sorted((name, power) for name, power in powers.items() if power)))
+    expression = " ".join(text.translate(_PLAIN_SIGNS).split())
+    if _EXPRESSION.fullmatch(expression) is None:
+        raise InputError(f"cannot read the unit {quoted(text)}; write it like mm, N*m/rad or kg/m^3")
+
+    def for_pint(factor: re.Match[str]) -> str:
+        symbol, power = _symbol(factor[1]), _power(factor[2], text)
+        return f"{symbol}**{power}" if power else "dimensionless"  # pint trips over a power of zero
+
+    return _measured(_FACTOR.sub(for_pint, expression))
+
+
+def _measured(expression: str) -> Unit:
+    unit = _registry().parse_units(expression)
+    factor, _ = _registry().get_root_units(unit)
+    measures = ((name.strip("[]"), int(_exact(power))) for name, power in unit.dimensionality.items())
+    return Unit(_exact(factor), tuple(sorted(measures)))
+
+
+def _exact(number: object) -> Fraction:
+    if not isinstance(number, int | Fraction):  # a slip in units.txt or in a later pint
+        raise TypeError(f"pint gave {type(number).__name__} {number}, not an exact fraction")
+    return Fraction(number)
 
 
 def _power(text: str | None, unit: str) -> int:
@@ -155,10 +112,9 @@ def _power(text: str | None, unit: str) -> int:
     return power
 
 
-def _symbol(symbol: str) -> Unit:
-    known = atoms()
-    if symbol in known:
-        return known[symbol]
-    match = nearest(symbol, known)
+def _symbol(symbol: str) -> str:
+    if symbol in _symbols():
+        return symbol
+    match = nearest(symbol, sorted(_symbols()))
     hint = f' (did you mean "{match}"?)' if match else ""
     raise InputError(f"unknown unit {quoted(symbol)}{hint}")

@@ -20,7 +20,7 @@ class Leaf(eqx.Module):
     yield_strength : tensile yield strength [Pa]; infinite where the design gives none
 
     >>> round(Leaf(youngs_modulus=194e9, width=0.02545, thickness=0.00316).flexural_rigidity, 4)
-    12.983
+    12.9828
     """
 
     youngs_modulus: float

@@ -63,7 +63,7 @@ def length_ratio(slope: Field) -> Field:
     """I1(t)/(2 sqrt(sin t)): arc length over the distance of the contact along its own tangent.
 
     >>> round(float(length_ratio(jnp.asarray(1.0))), 12)
-    1.109106615829
+    1.109106615831
     """
     return slope_terms(jnp.asarray(slope)).length_ratio
 

@@ -148,6 +148,11 @@ def _first_guess(x1: Field, y1: Field, epsilon: Field, fold_slope: Field) -> Fie
     return jnp.clip(ratio * (1.0 - u), 0.0, fold_slope)
 
 
+def _room(slope: Field) -> Field:
+    """Distance to the nearer singularity, 0 or pi: what the size of a step is judged by."""
+    return jnp.minimum(slope, math.pi - slope)
+
+
 def _step(slope: Field, x1: Field, y1: Field, epsilon: Field) -> tuple[Field, Field]:
     """Mismatch and the root of its second-order Taylor polynomial: cubic, and exact in kind at the fold."""
     terms = slope_terms(slope)
@@ -174,7 +179,7 @@ def contact_slope(x: Field, y: Field, r: Field) -> Field:
     slope = _first_guess(x1, y1, epsilon, fold_slope)
     slope = jnp.clip(slope + _step(slope, x1, y1, epsilon)[1], 0.0, fold_slope)
     change = _step(slope, x1, y1, epsilon)[1]
-    open_ = (jnp.abs(change) > _FIRST_CHANGE * slope) & _before_fold(x1, y1, epsilon)
+    open_ = (jnp.abs(change) > _FIRST_CHANGE * _room(slope)) & _before_fold(x1, y1, epsilon)
     slope = jnp.clip(slope + change, 0.0, fold_slope)
     finished: Field = lax.cond(jnp.any(open_), _finish, lambda *operands: operands[0], slope, open_, x, y, r)
     return finished
@@ -192,7 +197,7 @@ def _finish(slope: Field, open_: Bool[Array, "..."], x: Field, y: Field, r: Fiel
         proposal = t + change
         inside = (proposal > low) & (proposal < high)
         proposal = jnp.where(inside, proposal, 0.5 * (low + high))
-        settled = (jnp.abs(change) <= _CONVERGED * t) & inside | (high - low <= 4e-16 * high)
+        settled = (jnp.abs(change) <= _CONVERGED * _room(t)) & inside | (high - low <= 4e-16 * high)
         return count + 1, jnp.where(pending, proposal, t), low, high, pending & ~settled
 
     def more(carry: _Carry) -> Array:

@@ -57,7 +57,8 @@ def draw_field(figure: Figure, axes: Axes, view: View, values: Array, *, label: 
     )
     _frame(axes, view)
     levels = np.asarray(MaxNLocator(6).tick_values(low, high), float)
-    levels = levels[(levels > low) & (levels < high)]
+    edge = 0.02 * (high - low)  # a contour that close to the end of the range says nothing
+    levels = levels[(levels > low + edge) & (levels < high - edge)]
     if levels.size and min(values.shape) > 2:
         _contours(axes, view, values, levels, colour=INK if colours == "PuOr" else "white")
     bar = figure.colorbar(mesh, cax=figure.add_axes((0.80, 0.205, 0.026, 0.70)))

@@ -1,0 +1,63 @@
+"""Groove of the stiffness disc: the three circle conditions, both centres, both directions."""
+
+from __future__ import annotations
+
+import math
+
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from varistiff.actuators import Groove
+
+RADII = {"inner_radius": 0.025, "outer_radius": 0.054, "outer_angle": math.radians(47.0)}
+GOOD = [
+    Groove(**RADII, arc_radius=0.022, centre="near"),
+    Groove(**RADII, arc_radius=0.0368, centre="near"),
+    Groove(**RADII, arc_radius=0.1, centre="near"),
+    Groove(**RADII, arc_radius=0.1, centre="far"),
+]
+
+
+@pytest.mark.parametrize("groove", GOOD)
+def test_slider_rides_on_the_circle_from_a_to_c(groove: Groove) -> None:
+    assert groove.defect() is None
+    x, y = (float(v) for v in groove.centre_position)
+    angle = np.linspace(0.0, groove.outer_angle, 25)
+    radius = groove.inner_radius + np.asarray(groove.active_length(jnp.asarray(angle)))
+    slider = np.stack([radius * np.sin(angle), radius * np.cos(angle)])
+    assert np.hypot(slider[0] - x, slider[1] - y) == pytest.approx(groove.arc_radius, rel=1e-12)  # rounding
+    assert radius[0] == pytest.approx(groove.inner_radius, rel=1e-12)
+    assert radius[-1] == pytest.approx(groove.outer_radius, rel=1e-12)
+
+
+def test_near_is_nearer_than_far() -> None:
+    near, far = (Groove(**RADII, arc_radius=0.1, centre=side) for side in ("near", "far"))
+    assert math.hypot(*map(float, near.centre_position)) < math.hypot(*map(float, far.centre_position))
+
+
+@pytest.mark.parametrize("groove", GOOD)
+def test_rate_is_the_derivative(groove: Groove) -> None:
+    angle, step = np.linspace(0.1, 0.7, 7), 1e-5
+    ahead, behind = (np.asarray(groove.active_length(jnp.asarray(angle + s))) for s in (step, -step))
+    rate = np.asarray(groove.active_length_rate(jnp.asarray(angle)))
+    assert rate == pytest.approx((ahead - behind) / (2 * step), rel=1e-7)  # second order in the step
+
+
+@pytest.mark.parametrize("groove", GOOD)
+def test_angle_inverts_the_active_length(groove: Groove) -> None:
+    angle = np.linspace(0.25, groove.outer_angle, 21)
+    length = groove.active_length(jnp.asarray(angle))
+    rising = np.asarray(groove.active_length_rate(jnp.asarray(angle))) > 1e-3
+    assert rising.sum() > 10
+    assert np.asarray(groove.angle(length))[rising] == pytest.approx(angle[rising], abs=1e-9)  # 1e-12/1e-3
+    assert np.isnan(groove.angle(jnp.asarray(0.2)))
+
+
+def test_useless_grooves_say_why() -> None:
+    small = Groove(**RADII, arc_radius=0.0205).defect()  # half the chord from A to C is 20.6 mm
+    assert small is not None
+    assert "arc_radius" in small
+    twice = Groove(**RADII, arc_radius=0.0368, centre="far").defect()
+    assert twice is not None
+    assert "twice" in twice
