@@ -40,7 +40,7 @@ def arguments(sample: Problems) -> tuple[jax.Array, ...]:
 
 
 def errors(sample: Problems) -> tuple[np.ndarray, float]:
-    """Largest error of each output against 40 digits, relative to slope, F, L, F x_r, F, V, F x_r^2; near contact apart.
+    """Largest error of each output against 40 digits, relative to slope, F, L, F x_r, F, V, F x_r^2.
 
     Returns the seven errors away from first contact, and the largest of all within 1e-3 rad of it.
     """

@@ -40,7 +40,7 @@ def test_slope_inverts_the_closed_form_for_every_radius(ratio: float) -> None:
     assert bool(jnp.all(state.touching & state.exists))
     # judged by the angle: near the fold a rounding of beta moves the slope by its square root
     back = centre_angle(np.asarray(state.slope), ratio)
-    assert back == pytest.approx(beta[rising], abs=2e-13)  # roundings of an angle of order 1 and of SciPy's sine near 180 degrees
+    assert back == pytest.approx(beta[rising], abs=2e-13)  # roundings, those of SciPy's sine near 180 degrees
     assert (np.diff(np.asarray(state.slope)) > -1e-3).all()  # the same branch all along
 
 

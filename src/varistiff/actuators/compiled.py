@@ -8,7 +8,6 @@ from typing import Any
 
 import equinox as eqx
 import jax
-import jax.numpy as jnp
 import numpy as np
 
 from varistiff.actuators.actuator import Actuator, Response
@@ -24,7 +23,7 @@ def _respond() -> Callable[..., Any]:
 
 def _as_arrays(actuator: Actuator) -> Actuator:
     """Parameters as arrays, so that another design of the same kind needs no compilation."""
-    return jax.tree.map(lambda leaf: jnp.asarray(leaf) if isinstance(leaf, float) else leaf, actuator)
+    return jax.tree.map(lambda leaf: np.asarray(leaf) if isinstance(leaf, float) else leaf, actuator)
 
 
 def _padded(values: np.ndarray) -> np.ndarray:

@@ -74,7 +74,7 @@ class Groove(eqx.Module):
         return rate * (e_3 + root) / root
 
     def angle(self, active_length: Field) -> Field:
-        """Smallest disc angle [rad] on the groove for an active length: the inverse of ``active_length``, NaN off it."""
+        """Smallest disc angle [rad] on the groove for an active length [m]; NaN off the groove."""
         x, y = self.centre_position
         radius = self.inner_radius + active_length
         distance = jnp.hypot(x, y)

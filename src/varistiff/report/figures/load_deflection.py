@@ -43,7 +43,7 @@ def draw(dataset: xr.Dataset) -> Drawing | None:
         axes.set(xlabel=view.deflection_label, ylabel=load.label, title=f"{name} over deflection")
         if not alone:
             legends(figure, axes, curves if view.setting is not None else [], title=view.setting_name, inked=inked)
-    caption = f"{name} that the actuator puts on the link, over deflection"
+    caption = f"{name}, the derivative of the energy along the deflection, over deflection"
     caption += "." if view.setting is None else f", at {len(rows)} of the {view.status.shape[0]} settings of the map."
     if len(inked) > 1:
         caption += " Solid where every number may be used; dashes say why not. The axis shows all usable points."
