@@ -54,6 +54,15 @@ def status_of(device: AntagonisticLeaves, deflection: float, setting: float) -> 
     return Status(int(respond(device, deflection, setting)[0].status))
 
 
+def test_turns_of_the_screw_are_reported_with_its_lead() -> None:
+    device = AntagonisticLeaves(
+        leaf=LEAF, law=SlidingLeaf(), roller_distance=DISTANCE, clamp_height=HEIGHT, screw_lead=0.002
+    )
+    turns = device.respond(jnp.asarray(0.001), jnp.asarray(0.1))[1]["screw_turns"]
+    assert float(turns) == pytest.approx(25.0)  # each turn moves both nuts by the lead: 0.1/(2 * 0.002)
+    assert "screw_turns" not in spring(SlidingLeaf()).respond(jnp.asarray(0.001), jnp.asarray(0.1))[1]
+
+
 @EACH_LAW
 def test_loads_are_derivatives_of_the_energy(law: LeafLaw) -> None:
     device = spring(law)

@@ -62,6 +62,7 @@ class AntagonisticLeaves(Actuator):
     references: ClassVar[tuple[str, ...]] = ("chacon_2011", "bigoni_2013")
     details: ClassVar[dict[str, Quantity]] = {
         "leaf_length_needed": Quantity("arc length from clamp to roller of the longest leaf", "m"),
+        "screw_turns": Quantity("turns of the screw from nuts that touch", "1"),
     }
 
     leaf: Leaf
@@ -106,7 +107,10 @@ class AntagonisticLeaves(Actuator):
             stress,
         )
         response = Response(status, *(blank(status, value) for value in numbers))
-        return response, {"leaf_length_needed": blank(status, length)}
+        details = {"leaf_length_needed": blank(status, length)}
+        if self.screw_lead is not None:
+            details["screw_turns"] = blank(status, setting / (2.0 * self.screw_lead) + 0.0 * length)
+        return response, details
 
     def element_shapes(self, deflection: float, setting: float) -> list[Curve]:
         """Centrelines (N, 2) [m] of the four leaves, each from its roller to its clamp, for drawings.

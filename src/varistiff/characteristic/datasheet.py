@@ -154,6 +154,7 @@ def datasheet(dataset: xr.Dataset) -> Datasheet:
         Group("energy", "Energy", tuple(_energy_rows(table))),
         Group("adjusting", "Stiffness adjustment", tuple(_adjusting_rows(table))),
         Group("strength", "Strength", tuple(_strength_rows(table))),
+        Group("element", "Elastic element and mechanism", tuple(_detail_rows(dataset, table))),
         Group("validity", "Validity", tuple(_validity_rows(table))),
     )
     return Datasheet(
@@ -313,6 +314,18 @@ def _strength_rows(table: MapTable) -> Iterator[Row]:
     yield Row("strength", "Strength that the stress is held against", table.strength, unit)
     used = None if stress is None else stress / table.strength
     yield Row("utilisation", "Utilisation (largest stress / strength)", used, "1", "over the ok points")
+
+
+def _detail_rows(dataset: xr.Dataset, table: MapTable) -> Iterator[Row]:
+    """Largest size of every number that only this kind has, such as the leaf length that a design needs."""
+    common = {"status", "energy", table.load_name, "stiffness", table.adjusting_name, "stress"}
+    for name in sorted(str(name) for name in dataset.data_vars if name not in common):
+        values = np.abs(np.atleast_2d(np.asarray(dataset[name].values, float)))
+        peak = extreme(values, table.ok)
+        if peak is not None:
+            about = dataset[name].attrs
+            note = table.where(peak)
+            yield Row(f"{name}_max", f"Largest {about['long_name']}", float(values[peak]), str(about["units"]), note)
 
 
 def _validity_rows(table: MapTable) -> Iterator[Row]:

@@ -114,7 +114,7 @@ def panels(
     foot, side = 0.62, 0.12
     wide = (WIDTH - side * (columns + 1)) / columns
     if scaled:  # room for the scale bar below the mechanism
-        bounds = replace(bounds, bottom=bounds.bottom - 0.26 * bounds.width / wide)
+        bounds = replace(bounds, bottom=bounds.bottom - 0.34 * bounds.width / wide)
     tall = float(np.clip(wide * bounds.height / bounds.width, 0.8, 4.4))
     height = rows * (tall + head) + foot + 0.04
     figure = Figure(figsize=(WIDTH, height))
