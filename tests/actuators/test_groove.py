@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from varistiff.actuators import Groove
+from varistiff.design.spec import GrooveSpec
 
 RADII = {"inner_radius": 0.025, "outer_radius": 0.054, "outer_angle": math.radians(47.0)}
 GOOD = [
@@ -61,3 +62,16 @@ def test_useless_grooves_say_why() -> None:
     twice = Groove(**RADII, arc_radius=0.0368, centre="far").defect()
     assert twice is not None
     assert "twice" in twice
+
+
+@pytest.mark.parametrize("centre", ["near", "far"])
+@pytest.mark.parametrize("arc_radius", [0.0207, 0.022, 0.03, 0.0368, 0.045, 0.05, 0.1, 1.0])
+@pytest.mark.parametrize("outer_angle", [20.0, 47.0, 80.0])
+def test_design_files_refuse_the_same_grooves(centre: str, arc_radius: float, outer_angle: float) -> None:
+    groove = Groove(0.025, 0.054, math.radians(outer_angle), arc_radius, centre)
+    spec = GrooveSpec.model_construct(
+        outer_radius=0.054, outer_angle=math.radians(outer_angle), arc_radius=arc_radius, centre=centre
+    )
+    if math.isnan(float(groove.centre_position[0])):
+        return  # too small to join the ends, which the design file refuses before
+    assert spec.meets_each_angle_once(0.025) == (groove.defect() is None)

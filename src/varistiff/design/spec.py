@@ -201,6 +201,25 @@ class GrooveSpec(Part):
             raise wrong("is half a turn or more; allowed is an angle above 0 deg and below 180 deg")
         return angle
 
+    def meets_each_angle_once(self, inner_radius: float) -> bool:
+        """Whether every ray from the axis between the groove's ends crosses the arc once.
+
+        It does where both ends lie on the same side of the arc's tangent rays: there (end - centre) . end has one sign.
+        """
+        start = (0.0, inner_radius)
+        end = (self.outer_radius * math.sin(self.outer_angle), self.outer_radius * math.cos(self.outer_angle))
+        chord = math.dist(start, end)
+        height = math.sqrt(max(self.arc_radius**2 - 0.25 * chord**2, 0.0))
+        normal = ((start[1] - end[1]) / chord, (end[0] - start[0]) / chord)
+        centres = [
+            tuple(0.5 * (p + q) + side * height * n for p, q, n in zip(start, end, normal, strict=True))
+            for side in (-1.0, 1.0)
+        ]
+        pick = min if self.centre == "near" else max
+        x, y = pick(centres, key=lambda centre: math.hypot(*centre))
+        signs = [(px - x) * px + (py - y) * py > 0.0 for px, py in (start, end)]
+        return signs[0] == signs[1]
+
 
 def _measure_of_range(value: Any) -> str:
     """Return which kind of setting a slider's range is written in."""
@@ -257,6 +276,12 @@ class SliderLeafJointSpec(Part):
             limit = f"{500.0 * chord:.6g} mm"
             raise wrong(
                 f"is too small to join the groove's ends; allowed is half their distance or more, {limit}",
+                field="groove.arc_radius",
+            )
+        if not groove.meets_each_angle_once(self.clamp_radius):
+            raise wrong(
+                f"makes a groove that meets a disc angle twice with the {groove.centre} centre; allowed is a larger "
+                "arc_radius, or the other centre",
                 field="groove.arc_radius",
             )
         return self
