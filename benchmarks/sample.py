@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from benchmarks import reference_mpmath
+
 RIGIDITY = 194e9 * 0.02545 * 0.00316**3 / 12.0  # dos Santos and Richter (2019), Table 1: 1075 spring steel
 
 DISTRIBUTION = (
@@ -50,3 +52,14 @@ def problems(count: int = 100_000) -> Problems:
         good = (y + candidate.radius > 1e-5) & (np.arctan2(y, x) < 1.65)
         kept = np.concatenate([kept, drawn[good]])
     return Problems(*np.ascontiguousarray(kept[:count].T))
+
+
+def edges(count: int = 60) -> Problems:
+    """Ill-conditioned problems: half at slopes of 1e-5 ... 1e-3 rad, half as close to the angle of the fold."""
+    rng = np.random.default_rng(2020)
+    ratio = rng.uniform(-0.05, 0.2, count)
+    gap = 10.0 ** rng.uniform(-5.0, -3.0, count)
+    top = np.array([float(reference_mpmath.fold(float(value))[1]) for value in ratio])
+    angle = np.where(np.arange(count) % 2 == 0, -np.arcsin(ratio) + 2.0 / 3.0 * gap, top - gap)
+    setting, zero = rng.uniform(0.2, 0.6, count), np.zeros(count)
+    return Problems(angle, setting, zero, zero, ratio * setting)

@@ -71,17 +71,17 @@ def first_status(
     yielded: Mask,
 ) -> Int[Array, "..."]:
     """Integer status per point: the first mask that is true, in the order of the contract."""
-    return jnp.select(
-        [no_solution, element_too_short, no_contact, outside_validity, yielded],
-        [
-            jnp.int8(Status.NO_SOLUTION),
-            jnp.int8(Status.ELEMENT_TOO_SHORT),
-            jnp.int8(Status.NO_CONTACT),
-            jnp.int8(Status.OUTSIDE_VALIDITY),
-            jnp.int8(Status.YIELDED),
-        ],
-        jnp.int8(Status.OK),
-    )
+    status = jnp.int8(Status.OK)
+    # the last one written wins; jnp.select would search for the first with a reduction
+    for mask, value in (
+        (yielded, Status.YIELDED),
+        (outside_validity, Status.OUTSIDE_VALIDITY),
+        (no_contact, Status.NO_CONTACT),
+        (element_too_short, Status.ELEMENT_TOO_SHORT),
+        (no_solution, Status.NO_SOLUTION),
+    ):
+        status = jnp.where(mask, jnp.int8(value), status)
+    return status
 
 
 def blank(status: Int[Array, "..."], value: Field, *, extra_nan: Mask | bool = False) -> Field:
