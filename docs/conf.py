@@ -15,6 +15,7 @@ version = release = metadata.version("varistiff")
 
 extensions = [
     "generated_pages",
+    "mathml",
     "mechanism_figures",
     "myst_parser",
     "sphinx.ext.autodoc",
@@ -36,6 +37,7 @@ napoleon_google_docstring = False
 napoleon_use_rtype = False
 nitpicky = False  # jaxtyping and pydantic put names into signatures that have no page
 
+html_math_renderer = "mathml"
 html_theme = "furo"
 html_title = f"varistiff {version}"
 html_static_path: list[str] = []
