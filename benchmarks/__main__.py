@@ -18,7 +18,7 @@ def _machine() -> str:
     if cpu.exists():
         names = re.findall(r"model name\s*:\s*(.+)", cpu.read_text(encoding="utf-8"))
         model = names[0] if names else model
-    return f"Measured on one core of: {model}, Python {platform.python_version()}."
+    return f"{model}, Python {platform.python_version()}"
 
 
 def main() -> None:
@@ -27,7 +27,8 @@ def main() -> None:
     tables = {"roller_contact": roller_contact.table(), "maps": maps.table(), "cold_start": cold}
     text = PAGE.read_text(encoding="utf-8")
     for name, rows in tables.items():
-        block = "\n".join([_machine(), "", *rows])
+        place = "Whole processes, not pinned" if name == "cold_start" else "One pinned core"
+        block = "\n".join([f"{place}: {_machine()}.", "", *rows])
         print(f"\n{name}\n{block}")
         pattern = re.compile(rf"(<!-- {name} -->\n).*?(<!-- end -->)", re.S)
         text = pattern.sub(lambda found, block=block: found[1] + block + "\n" + found[2], text)

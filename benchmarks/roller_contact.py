@@ -132,6 +132,9 @@ def table(count: int = 100_000) -> list[str]:
         rows.append(f"| {name} | {each * 1e3:.2f} ms | {each * 1e9 / sine:.0f} | {100 * good:.0f} % |")
     rows += ["", "Largest error against 40 digits, relative as stated above:", ""]
     rows += ["| problems | " + " | ".join(OUTPUTS) + " |", "|---" * 8 + "|"]
-    for name, found in (("300 of the distribution", worst), ("60 at 1e-5 ... 1e-3 rad from first contact or fold", hard)):
+    for name, found in (
+        ("300 of the distribution", worst),
+        ("60 at 1e-5 ... 1e-3 rad from first contact or fold", hard),
+    ):
         rows.append(f"| {name} | " + " | ".join(f"{value:.0e}" for value in found) + " |")
     return rows

@@ -45,3 +45,10 @@ def test_good_to_stops_at_the_first_excess():
             after = ladder.deflection > reached
             assert not after.any() or abs(ladder.error(rung, quantity)[after][0]) > 0.01
     assert ladder.good_to(ladder.exact, "torque") == ladder.deflection[-1]
+
+
+def test_nothing_is_good_beyond_the_fold():
+    ladder = model_ladder(radius=0.4, length=0.4, flexural_rigidity=1.0, deflection_max=math.radians(120), points=120)
+    # with its clamp at the joint the slider's polar angle is the deflection: the fold lies at 99.57 degrees
+    for rung in ladder.rungs:
+        assert math.degrees(ladder.good_to(rung, "torque", math.inf)) == pytest.approx(99.0)

@@ -31,8 +31,18 @@ def references() -> str:
     return "\n\n".join(blocks)
 
 
+def lacking() -> str:
+    """Return the table of properties and the materials whose value is not known."""
+    rows = ["| property | not known of |", "|---|---|"]
+    for name in PROPERTIES:
+        keys = [f"`{key}`" for key, material in builtin_materials().items() if getattr(material, name) is None]
+        if keys:
+            rows.append(f"| `{name}` | {', '.join(keys)} |")
+    return "\n".join(rows)
+
+
 def materials() -> str:
-    """Return one table per property that says value and source."""
+    """Return one table per material that says value and source."""
     scale = {"density": (1.0, "kg/m³"), "youngs_modulus": (1e-9, "GPa"), "shear_modulus": (1e-9, "GPa")}
     parts = []
     for material in builtin_materials().values():
@@ -42,7 +52,8 @@ def materials() -> str:
             factor, unit = scale.get(name, (1e-6, "MPa"))
             value = "not known" if entry is None else f"{entry.value * factor:.6g} {unit}"
             rows.append(f"| `{name}` | {value} | {'' if entry is None else entry.source} |")
-        head = f"## `{material.key}`\n\n{material.name}\n\n| property | value | source |\n|---|---|---|"
+        kind = "" if material.isotropic else " Not isotropic."
+        head = f"### `{material.key}`\n\n{material.name}.{kind}\n\n| property | value | source |\n|---|---|---|"
         parts.append("\n".join([head, *rows]))
     return "\n\n".join(parts)
 
@@ -51,6 +62,7 @@ PAGES: dict[str, Callable[[], str]] = {
     "statuses": statuses,
     "references": references,
     "materials": materials,
+    "materials_lacking": lacking,
     "design_fields": design_reference.render,
     **{f"api_{room}": partial(api_pages.render, room) for room in api_pages.ROOMS},
 }

@@ -27,8 +27,21 @@ _HOME = {
 }
 
 
-def analyse(path: str | os.PathLike[str], output: str | os.PathLike[str], *, progress: bool = False) -> Analysis:
+def analyse(
+    path: str | os.PathLike[str],
+    output: str | os.PathLike[str],
+    *,
+    materials: str | os.PathLike[str] | None = None,
+    progress: bool = False,
+) -> Analysis:
     """Do the main job for a design file: map, datasheet, pictures, report and data in ``output``.
+
+    Parameters
+    ----------
+    path : design file
+    output : directory for the results
+    materials : a file with your own materials, in place of the design's ``materials_file``
+    progress : tell on the standard error stream what is being done
 
     The directory appears whole or not at all; an earlier result is replaced, anything else is refused.
 
@@ -39,7 +52,7 @@ def analyse(path: str | os.PathLike[str], output: str | os.PathLike[str], *, pro
     from varistiff.core.writing import check_directory
     from varistiff.design.design import load
 
-    design = load(path)
+    design = load(path, materials=materials)
     check_directory(output)
     from varistiff.report.analyse import analyse
 

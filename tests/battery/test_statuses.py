@@ -31,7 +31,7 @@ from varistiff.elastic.sliding_leaf import SlidingLeaf
 from varistiff.elastic.wrapped_leaf import WrappedLeaf
 from varistiff.sections import Circle, HollowCircle
 
-from .evaluation import respond, statuses
+from .evaluation import energy, respond, statuses
 from .predicates import fold_angle
 
 ABOVE, BELOW = 1 + 1e-9, 1 - 1e-9
@@ -234,6 +234,10 @@ SHOWN: list[tuple[str, Actuator, tuple[float, float], Status]] = [
     ("roller yielded", _pair(1e6, 0.02), (0.2, 0.3), Status.YIELDED),
     ("slider invalid", _slider(SmallDeflection()), (0.2, 0.01), Status.OUTSIDE_VALIDITY),
     ("slider no solution", _slider(LargeDeflection()), (0.2, -0.01), Status.NO_SOLUTION),
+    ("slider turned half round", _slider(LargeDeflection()), (math.pi, 0.02), Status.NO_SOLUTION),
+    ("roller behind the joint", _pair(math.inf, 0.02), (0.2, -0.3), Status.NO_SOLUTION),
+    ("roller turned round", _pair(math.inf, 0.02), (3.5, 0.3), Status.NO_SOLUTION),
+    ("tube locked", TorsionTube(shear_modulus=1e9, section=Circle(radius=0.01)), (0.2, 0.0), Status.NO_SOLUTION),
     ("slider too short", _slider(LargeDeflection(), length=0.01), (0.2, 0.02), Status.ELEMENT_TOO_SHORT),
     ("slider yielded", _slider(LargeDeflection(), strength=1e6), (0.2, 0.02), Status.YIELDED),
     ("leaves no solution", _leaves(SlidingLeaf()), (0.1, 0.183), Status.NO_SOLUTION),
@@ -265,6 +269,8 @@ def test_numbers_follow_the_status(_name: str, device: Actuator, point: tuple[fl
             assert math.isfinite(value), name
     if wanted in (Status.OK, Status.YIELDED):
         assert found["energy"][0] > 0
+    alone = energy(device, np.array([point[0]]), np.array([point[1]]))[0]
+    assert math.isnan(alone) == (wanted is Status.NO_SOLUTION)  # the energy by itself does not extrapolate either
 
 
 def test_neighbours_of_bad_points_are_good() -> None:

@@ -46,6 +46,7 @@ def test_shapes_are_kept(shape: tuple[int, ...]) -> None:
 def test_counts_name_the_statuses() -> None:
     points = evaluate(TUBE, [0.0, 0.01, 0.01, 0.01], [0.1, 0.1, 0.2, -0.1])
     assert points.counts() == {Status.OK: 2, Status.ELEMENT_TOO_SHORT: 1, Status.NO_SOLUTION: 1}
+    assert repr(points).startswith("<Points 4: 2 ok, 1 no_solution, 1 element_too_short;")
 
 
 @pytest.mark.parametrize(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
+import shutil
 import signal
 import time
 from collections.abc import Callable
@@ -58,7 +59,7 @@ def break_down(*_: object) -> None:
     "action, status, said",
     [
         (full_disk, 2, "cannot be written: no space left on device"),
-        (interrupt, 2, "interrupted; nothing was written"),
+        (interrupt, 2, "varistiff: interrupted"),
         (break_down, 1, "varistiff itself failed (ZeroDivisionError: a mistake of ours)"),
     ],
 )
@@ -88,6 +89,40 @@ def test_a_run_that_fails_leaves_nothing(
         assert {path.read_text() for path in output.iterdir()} == {"old"}
     else:
         assert names(series.parent) == ["series.yaml"]
+
+
+@pytest.mark.parametrize("when", ["after the swap", "while the earlier result goes away"])
+def test_an_interruption_after_the_swap_leaves_the_new_result_alone(
+    run: Callable[..., Any], series: Path, monkeypatch: pytest.MonkeyPatch, when: str
+) -> None:
+    output = series.parent / "results"
+    output.mkdir()
+    for name in ("map.nc", "datasheet.json", "report.html"):
+        (output / name).write_text("old")
+    rename, rmtree = Path.rename, shutil.rmtree
+    standing = []
+
+    def renamed(self: Path, to: Path) -> Path:
+        done = rename(self, to)
+        if to == output:
+            standing.append(to)
+            if when == "after the swap":
+                os.kill(os.getpid(), signal.SIGTERM)
+        return done
+
+    def removed(*arguments: Any, **options: Any) -> None:
+        if standing and when != "after the swap":
+            standing.clear()
+            os.kill(os.getpid(), signal.SIGTERM)
+        rmtree(*arguments, **options)
+
+    monkeypatch.setattr(Path, "rename", renamed)
+    monkeypatch.setattr(shutil, "rmtree", removed)
+    result = run("analyse", series, "--output", output)
+    assert (result.status, result.line) == (2, "varistiff: interrupted")
+    assert names(series.parent) == ["results", "series.yaml"]
+    assert names(output) == RESULTS
+    assert "old" not in (output / "report.html").read_text()[:3]
 
 
 def test_the_output_is_tried_before_anything_is_computed(

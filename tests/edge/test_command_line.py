@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import io
 import json
 import os
@@ -190,9 +191,59 @@ def test_an_interrupted_run_leaves_nothing(
     handlers = signal.getsignal(signal.SIGINT), signal.getsignal(signal.SIGTERM)
     result = run("evaluate", series, points, "--output", series.parent / "new" / "out.csv")
     assert result.status == 2
-    assert result.line == "varistiff: interrupted; nothing was written"
+    assert result.line == "varistiff: interrupted"
     assert names(series.parent) == ["points.csv", "series.yaml"]
     assert handlers == (signal.getsignal(signal.SIGINT), signal.getsignal(signal.SIGTERM))
+
+
+def test_an_interruption_after_the_swap_claims_nothing(
+    run: Callable[..., Any], series: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    empty = make(series.parent, "empty.csv", b"deflection\n")
+    whole = Path.replace
+
+    def replace(self: Path, to: Path) -> Path:
+        done = whole(self, to)
+        os.kill(os.getpid(), signal.SIGINT)
+        return done
+
+    monkeypatch.setattr(Path, "replace", replace)
+    result = run("evaluate", series, empty, "--output", series.parent / "new" / "out.csv")
+    assert result.status == 2
+    assert result.line == "varistiff: interrupted"
+    assert (series.parent / "new" / "out.csv").read_text().startswith("deflection,")
+    assert names(series.parent / "new") == ["out.csv"]
+
+
+def test_an_input_that_vanishes_is_not_blamed_on_the_output(
+    run: Callable[..., Any], series: Path, points: Path, stalled: Callable[..., None]
+) -> None:
+    stalled(lambda: (series.parent / "vanished").read_text())
+    result = run("evaluate", series, points, "--output", series.parent / "out.csv")
+    assert result.status == 1
+    assert "vanished" in result.line
+    assert "--output" not in result.line
+    assert names(series.parent) == ["points.csv", "series.yaml"]
+
+
+def test_a_pipe_as_output(series: Path) -> None:
+    empty = make(series.parent, "empty.csv", b"deflection\n")
+    command = [sys.executable, "-m", "varistiff.cli", "evaluate", str(series), str(empty), "--output", "/dev/stdout"]
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.startswith("deflection,setting,status,")
+
+
+def test_a_full_disk_elsewhere_is_named(
+    run: Callable[..., Any], series: Path, points: Path, stalled: Callable[..., None]
+) -> None:
+    def full() -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), "/elsewhere/kernel")
+
+    stalled(full)
+    result = run("evaluate", series, points, "--output", series.parent / "out.csv")
+    assert result.status == 2
+    assert result.line == "varistiff: /elsewhere/kernel cannot be written: no space left on device"
 
 
 def test_a_failure_of_varistiff_says_how_to_report_it(

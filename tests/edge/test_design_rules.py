@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -13,6 +14,9 @@ from varistiff.core.errors import InputError
 from varistiff.core.textfile import parse_yaml
 from varistiff.design.design import load
 from varistiff.design.read import validated
+from varistiff.design.resolve import resolved, unlimited
+from varistiff.design.spec import RollerBeamSpec, TorsionTubeSpec
+from varistiff.materials import find_material
 
 ROLLER, TUBE, LEAVES, SLIDER = "roller_beam", "torsion_tube", "antagonistic_leaves", "slider_leaf_joint"
 LENGTHS = "{min: 15 mm, max: 25 mm}"
@@ -72,7 +76,7 @@ WRONG = [
     (TUBE, "inner_radius: 8.7 mm", "inner_radius: 11 mm", "actuator.section.inner_radius: is not below outer"),
     (TUBE, "hollow_circle ", "square ", "actuator.section.shape: square comes in a later version"),
     (TUBE, "hollow_circle ", "hollow_cirle ", 'did you mean "hollow_circle"'),
-    (TUBE, "  shear_modulus: 0.63 GPa", "  # shear_modulus", "material pa2200 has no known shear_modulus"),
+    (TUBE, "pa2200\n  shear_modulus: 0.63 GPa", "tpu", "material tpu has no known shear_modulus"),
     (LEAVES, "end_condition: sliding", "end_condition: guided", "actuator.protection_radius: is given with"),
     (LEAVES, "    youngs_modulus: 210 GPa\n", "", "actuator.leaf: neither material nor youngs_modulus"),
     (SLIDER, "arc_radius: 36.8 mm", "arc_radius: 20 mm", "actuator.groove.arc_radius: is too small"),
@@ -80,6 +84,8 @@ WRONG = [
     (SLIDER, LENGTHS, "{min: 1 deg, max: 25 mm}", "is an angle; allowed is a length"),
     (SLIDER, LENGTHS, "{min: 1 kg, max: 2 kg}", "is a mass; allowed is a length"),
     ("series_elastic", "  deflection", "  setting: {min: 1 mm, max: 2 mm}\n  deflection", "has no setting"),
+    ("maccepa", "135 mm", "36 mm", "anchor_distance: equals lever_length; allowed is a different length"),
+    ("maccepa", "135 mm", "0.036 m", "actuator.anchor_distance: equals lever_length"),
 ]
 
 
@@ -99,6 +105,54 @@ def test_a_wrong_design_is_one_line(
     assert line.isprintable()
     assert "pydantic" not in line
     assert "Input should" not in line
+
+
+def tube(tmp_path: Path, example: Callable[[str], str], properties: str) -> TorsionTubeSpec:
+    """The resolved tube with these fields in place of material, shear_modulus and yield_strength."""
+    text = example(TUBE)
+    start, end = text.index("material: pa2200"), text.index("section:")
+    path = tmp_path / "design.yaml"
+    path.write_text(f"{text[:start]}{properties}\n  {text[end:]}", encoding="utf-8")
+    elements = load(path).elements
+    assert isinstance(elements, TorsionTubeSpec)
+    return elements
+
+
+@pytest.mark.parametrize("laminate", ["glass_fibre_laminate", "carbon_fibre_laminate"])
+def test_a_laminates_strength_along_its_fibres_does_not_limit_torsion(
+    tmp_path: Path, example: Callable[[str], str], laminate: str
+) -> None:
+    with pytest.raises(InputError) as caught:
+        tube(tmp_path, example, f"material: {laminate}\n  shear_modulus: 5 GPa")
+    assert caught.value.field == "actuator.yield_strength"
+    assert "sqrt(3) times the laminate's in-plane shear strength" in str(caught.value)
+    given = tube(tmp_path, example, f"material: {laminate}\n  yield_strength: 130 MPa")
+    shear_modulus = find_material(laminate).shear_modulus
+    assert shear_modulus is not None
+    assert (given.yield_strength, given.shear_modulus) == (130e6, shear_modulus.value)
+
+
+def test_a_laminate_in_bending_keeps_its_strength(tmp_path: Path, example: Callable[[str], str]) -> None:
+    text = example(ROLLER).replace("spring_steel_1075", "carbon_fibre_laminate")
+    text = re.sub(r"    (youngs_modulus|yield_strength):.*\n", "", text)
+    path = tmp_path / "design.yaml"
+    path.write_text(text, encoding="utf-8")
+    elements = load(path).elements
+    assert isinstance(elements, RollerBeamSpec)
+    assert (elements.beam.youngs_modulus, elements.beam.yield_strength) == (126e9, 1480e6)
+
+
+def test_an_element_without_a_limit_is_named(tmp_path: Path, example: Callable[[str], str]) -> None:
+    said = "no yield strength: nothing is reported as yielded"
+    assert unlimited(tube(tmp_path, example, "material: music_wire")) == (f"actuator: {said}",)
+    assert unlimited(tube(tmp_path, example, "shear_modulus: 1 GPa")) == (f"actuator: {said}",)
+    assert unlimited(tube(tmp_path, example, "material: pa2200")) == ()
+    (document,) = parse_yaml(example(LEAVES))
+    document["actuator"]["leaf"] = {"material": "tpu", "width": "5 cm", "thickness": "0.5 mm"}
+    assert unlimited(resolved(validated(document).actuator)) == (f"actuator.leaf: {said}",)
+    for kind in ("series_elastic", "maccepa"):  # a spring of any make has no stress
+        (document,) = parse_yaml(example(kind))
+        assert unlimited(resolved(validated(document).actuator)) == ()
 
 
 def test_a_disc_angle_needs_a_groove(example: Callable[[str], str]) -> None:
@@ -183,3 +237,12 @@ def test_any_value_in_any_field_is_accepted_or_one_line(
 @settings(deadline=None)
 def test_any_text_is_a_design_or_one_line(text: str) -> None:
     assert complaint(lambda: [validated(document) for document in parse_yaml(text)]).isprintable()
+
+
+def test_a_missing_yield_strength_is_a_warning(example: Callable[[str], str], tmp_path: Path) -> None:
+    path = tmp_path / "design.yaml"
+    text = example("slider_leaf_joint")
+    path.write_text(text.replace("    yield_strength: 1400 MPa", "    # none"), encoding="utf-8")
+    assert "no yield strength" in " ".join(load(path).warnings)
+    path.write_text(text, encoding="utf-8")
+    assert "no yield strength" not in " ".join(load(path).warnings)

@@ -3,11 +3,20 @@
 from __future__ import annotations
 
 import errno
+import functools
+import itertools
 import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable
 from pathlib import Path
+from types import FrameType
+from typing import Any
 
 import pytest
 
+from varistiff.core import writing
 from varistiff.core.errors import InputError
 from varistiff.core.writing import staged_directory, staged_file
 
@@ -78,29 +87,157 @@ def test_a_path_below_a_file_cannot_be_written(tmp_path: Path) -> None:
     assert names(tmp_path) == ["file"]
 
 
-def test_a_directory_appears_whole_and_keeps_other_files(tmp_path: Path) -> None:
+def fill(staged: Path, text: str) -> None:
+    (staged / "map.nc").write_text(text)
+    (staged / "figures").mkdir()
+    (staged / "figures" / "a.svg").write_text(text)
+
+
+def test_a_directory_appears_whole_and_is_replaced_as_a_whole(tmp_path: Path) -> None:
     target = tmp_path / "results"
     with staged_directory(target) as staged:
-        (staged / "map.nc").write_text("1")
-        (staged / "figures").mkdir()
-        (staged / "figures" / "a.svg").write_text("1")
+        fill(staged, "1")
         assert not target.exists()
-    (target / "notes.txt").write_text("mine")
-    (target / "figures" / "mine.svg").write_text("mine")
+    (target / "figures" / "stale.svg").write_text("1")
     with staged_directory(target) as staged:
-        (staged / "map.nc").write_text("2")
-        (staged / "figures").mkdir()
-        (staged / "figures" / "a.svg").write_text("2")
-    assert names(tmp_path) == [
-        "results",
-        "results/figures",
-        "results/figures/a.svg",
-        "results/figures/mine.svg",
-        "results/map.nc",
-        "results/notes.txt",
-    ]
+        fill(staged, "2")
+        assert (target / "map.nc").read_text() == "1"
+    assert names(tmp_path) == ["results", "results/figures", "results/figures/a.svg", "results/map.nc"]
     assert (target / "map.nc").read_text() == "2"
-    assert (target / "notes.txt").read_text() == "mine"
+
+
+class Signal:
+    """Interrupts at one line of the code that puts results in their place, as a signal may."""
+
+    files = (writing.__file__, shutil.__file__)
+
+    def __init__(self, line: int) -> None:
+        self.left = line
+
+    def __call__(self, frame: FrameType, event: str, _: object) -> Signal | None:
+        if frame.f_code.co_filename not in self.files:
+            return None
+        if event == "line":
+            self.left -= 1
+            if self.left == 0:
+                raise KeyboardInterrupt  # which also ends the tracing
+        return self
+
+
+def interrupted_at(line: int, action: Callable[[], None]) -> bool:
+    before = sys.gettrace()
+    sys.settrace(Signal(line))
+    try:
+        action()
+    except KeyboardInterrupt:
+        return True
+    finally:
+        sys.settrace(before)
+    return False
+
+
+@pytest.mark.parametrize("parents", [".", "deep/er"])
+@pytest.mark.parametrize("earlier", [False, True])
+@pytest.mark.parametrize("what", ["file", "directory"])
+def test_an_interruption_anywhere_leaves_the_old_or_the_new_and_nothing_else(
+    tmp_path: Path, what: str, earlier: bool, parents: str
+) -> None:
+    def make(target: Path, text: str) -> None:
+        if what == "file":
+            with staged_file(target) as stream:
+                stream.write(text)
+        else:
+            with staged_directory(target) as staged:
+                fill(staged, text)
+
+    def content(place: Path) -> dict[str, str]:
+        return {name: (place / name).read_text() if (place / name).is_file() else "" for name in names(place)}
+
+    found = []
+    for line in itertools.count(1):
+        place = tmp_path / str(line)
+        place.mkdir()
+        target = place / parents / "results"
+        if earlier:
+            make(target, "old")
+        old = content(place)
+        stopped = interrupted_at(line, functools.partial(make, target, "new"))
+        after = content(place)
+        if not stopped:
+            break
+        assert after == old or {text for text in after.values() if text} == {"new"}
+        assert not [name for name in after if "/." in f"/{name}"]
+        found.append(after == old)
+    assert set(after.values()) - {""} == {"new"}
+    assert any(found)  # interrupted before the swap
+    assert not all(found)  # and after it
+    assert found == sorted(found, reverse=True)  # once the new one stands, it stays
+
+
+def test_a_result_that_cannot_be_put_back_is_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    target = tmp_path / "results"
+    with staged_directory(target) as staged:
+        fill(staged, "old")
+    whole = Path.rename
+
+    def rename(self: Path, to: Path) -> Path:
+        if to == target:
+            raise OSError(errno.EIO, os.strerror(errno.EIO), str(self))
+        return whole(self, to)
+
+    monkeypatch.setattr(Path, "rename", rename)
+    with pytest.raises(InputError, match="cannot be put back: input/output error; it is in ") as said:
+        with staged_directory(target) as staged:  # noqa: SIM117 - only this may raise
+            fill(staged, "new")
+    assert (Path(str(said.value).rpartition("it is in ")[2]) / "map.nc").read_text() == "old"
+
+
+def test_a_directory_without_write_permission_is_said_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(os, "access", lambda *_: False)  # permissions do not hold for root
+    with pytest.raises(InputError, match="cannot be written: permission denied"), staged_directory(tmp_path):
+        pytest.fail("began")
+
+
+@pytest.mark.parametrize("stage", [staged_file, staged_directory])
+def test_an_error_of_the_block_is_not_blamed_on_the_output(tmp_path: Path, stage: Callable[..., Any]) -> None:
+    with pytest.raises(FileNotFoundError, match="missing"), stage(tmp_path / "out"):
+        (tmp_path / "missing").read_text()
+    with pytest.raises(ConnectionResetError), stage(tmp_path / "out"):
+        raise ConnectionResetError(errno.ECONNRESET, os.strerror(errno.ECONNRESET))
+    elsewhere = OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(tmp_path / "elsewhere"))
+    with pytest.raises(OSError, match="elsewhere"), stage(tmp_path / "out"):
+        raise elsewhere
+    assert names(tmp_path) == []
+
+
+def test_an_error_below_the_staged_directory_is_about_the_output(tmp_path: Path) -> None:
+    said = pytest.raises(InputError, match="out: cannot be written: no such file or directory")
+    with said, staged_directory(tmp_path / "out") as staged:
+        (staged / "missing" / "a.svg").write_text("")
+    assert names(tmp_path) == []
+
+
+def test_a_pipe_is_written_to(tmp_path: Path) -> None:
+    script = (
+        "from varistiff.core.writing import staged_file, staged_directory\n"
+        "with staged_file('/dev/stdout') as stream: stream.write('a')\n"
+        "try:\n"
+        "    with staged_directory('/dev/stdout'): pass\n"
+        "except ValueError as error: print(error)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    assert done.stderr == ""
+    assert done.stdout == "a/dev/stdout: is a file; allowed is the name of a directory\n"
+
+
+def test_a_pipe_without_a_reader_is_no_wrong_input(tmp_path: Path) -> None:
+    reading, writing_end = os.pipe()
+    os.close(reading)
+    try:
+        with pytest.raises(BrokenPipeError), staged_file(f"/dev/fd/{writing_end}") as stream:
+            stream.write("a")
+    finally:
+        os.close(writing_end)
 
 
 def test_a_link_is_followed(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -50,9 +51,38 @@ def test_every_value_is_plausible_and_has_a_source(material: Material) -> None:
     if material.shear_modulus is not None and any(word in material.key for word in METALS):
         poisson = material.youngs_modulus.value / (2.0 * material.shear_modulus.value) - 1.0
         assert 0.25 < poisson < 0.36  # isotropic metals
-    if material.fatigue_limit is not None and "304" not in material.key:
+    if material.fatigue_limit is not None:
         assert material.yield_strength is not None
         assert material.fatigue_limit.value < material.yield_strength.value
+
+
+def test_only_the_laminates_are_not_isotropic() -> None:
+    laminates = {key for key, material in builtin_materials().items() if not material.isotropic}
+    assert laminates == {"glass_fibre_laminate", "carbon_fibre_laminate"}
+
+
+def test_a_derived_shear_modulus_fits_what_it_says() -> None:
+    derived = {}
+    for key, material in builtin_materials().items():
+        said = material.shear_modulus and re.match(r"from E and nu = (\d\.\d+): ", material.shear_modulus.source)
+        if said and material.shear_modulus and material.youngs_modulus:
+            derived[key] = material.shear_modulus.value
+            expected = material.youngs_modulus.value / (2.0 * (1.0 + float(said[1])))
+            assert material.shear_modulus.value == pytest.approx(expected, rel=5e-3)  # three digits are written
+    assert set(derived) == {"pa2200", "pom", "peek"}
+
+
+@pytest.mark.parametrize("key", ["stainless_301_full_hard", "stainless_304"])
+def test_the_moduli_of_18_8_steel_come_from_one_source(key: str) -> None:
+    material = find_material(key)
+    assert material.youngs_modulus is not None
+    assert material.shear_modulus is not None
+    table = "Shigley, table of physical constants, stainless steel"
+    assert material.youngs_modulus.source.startswith(table)
+    assert material.shear_modulus.source.startswith(table)
+    poisson = material.youngs_modulus.value / (2.0 * material.shear_modulus.value) - 1.0
+    assert 0.28 < poisson < 0.31
+    assert material.fatigue_limit is None
 
 
 def test_the_near_miss_is_named() -> None:
@@ -87,9 +117,21 @@ def test_a_users_file_adds_and_replaces(tmp_path: Path) -> None:
     assert replaced.value == 1.5e9
 
 
+def test_a_users_laminate_is_marked(tmp_path: Path) -> None:
+    own = read_materials(
+        write(tmp_path, "ply: {isotropic: false}\nbrass: {}\ncarbon_fibre_laminate: {isotropic: true}")
+    )
+    assert not own["ply"].isotropic
+    assert own["brass"].isotropic
+    assert find_material("carbon_fibre_laminate", extra=own).isotropic
+
+
 @pytest.mark.parametrize(
     "text, said",
     [
+        ("ply: {isotropic: 0}", "ply.isotropic: is 0; allowed is true or false"),
+        ("ply: {isotropic: }", "ply.isotropic: is nothing; allowed is true or false"),
+        ("ply: {isotropc: false}", 'did you mean "isotropic"'),
         ("bronze: {youngs_modulus: 110 GPa}", "bronze.youngs_modulus: has no source"),
         ("bronze: {youngs_modulus: 110, source: x}", "bronze.youngs_modulus: 110 has no unit"),
         ("bronze: {youngs_modulus: -1 GPa, source: x}", "above zero"),

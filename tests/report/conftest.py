@@ -8,7 +8,6 @@ from pathlib import Path
 import pytest
 import xarray as xr
 
-from varistiff.characteristic.datasheet import element_strength
 from varistiff.design.design import Design, load
 
 LEAF = "{youngs_modulus: 206 GPa, width: 25 mm, thickness: 1 mm, yield_strength: 1400 MPa%s}"
@@ -43,13 +42,8 @@ def design_of(kind: str, folder: Path, name: str = "'A design'") -> Design:
 
 @cache
 def map_of(kind: str, folder: Path) -> xr.Dataset:
-    """Map of a kind with the strength that an analysis adds."""
-    design = design_of(kind, folder)
-    dataset = design.map(deflection_points=61, setting_points=41)
-    strength = element_strength(design.actuator)
-    if strength is not None:
-        dataset.attrs["strength"] = strength
-    return dataset
+    """Map of a kind."""
+    return design_of(kind, folder).map(deflection_points=61, setting_points=41)
 
 
 @pytest.fixture(scope="session")

@@ -7,6 +7,7 @@ import json
 import re
 from html.parser import HTMLParser
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -172,7 +173,7 @@ def test_a_failed_swap_brings_the_earlier_result_back(
     whole = Path.rename
 
     def rename(self: Path, to: Path) -> Path:
-        if self.name.endswith(".part"):
+        if to == target and self.name == "fresh":
             raise OSError(5, "Input/output error")
         return whole(self, to)
 
@@ -181,6 +182,36 @@ def test_a_failed_swap_brings_the_earlier_result_back(
         analyse(joint, target)
     assert (target / "report.html").read_bytes() == report
     assert [path.name for path in tmp_path.iterdir()] == ["result"]
+
+
+def test_a_file_that_somebody_adds_meanwhile_is_not_replaced(
+    joint: Design, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    target = tmp_path / "result"
+    analyse(joint, target)
+    whole = module._write_data
+
+    def write(*arguments: Any) -> None:
+        whole(*arguments)
+        (target / "notes.txt").write_text("mine", encoding="utf-8")
+
+    monkeypatch.setattr(module, "_write_data", write)
+    with pytest.raises(InputError, match=r"notes\.txt"):
+        analyse(joint, target)
+    assert (target / "notes.txt").read_text(encoding="utf-8") == "mine"
+    assert [path.name for path in tmp_path.iterdir()] == ["result"]
+
+
+def test_a_disk_that_fills_up_under_the_map_is_said(
+    joint: Design, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object, **__: object) -> None:  # what HDF5 says when it closes the file
+        raise RuntimeError("Can't decrement id ref count (file write failed: errno = 28, error message = ...)")
+
+    monkeypatch.setattr(xr.Dataset, "to_netcdf", full)
+    with pytest.raises(InputError, match="result: cannot be written: no space left on device"):
+        analyse(joint, tmp_path / "result")
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_progress_goes_to_standard_error(joint: Design, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -47,11 +47,17 @@ class Actuator(eqx.Module):
     deflection_unit: ClassVar[str]  # "rad" for a joint, "m" for a linear spring
     references: ClassVar[tuple[str, ...]]  # keys of varistiff.core.citations
     details: ClassVar[dict[str, Quantity]] = {}
+    broken_assumption: ClassVar[str] = ""  # what ``outside_validity`` means for this kind, one clause
 
     @property
     @abstractmethod
     def setting_unit(self) -> str | None:
         """SI unit of the setting: "m", "rad", or None for an actuator without one."""
+
+    @property
+    @abstractmethod
+    def strength(self) -> float | None:
+        """Stress [Pa] that counts as yielding: infinite without a yield strength, None without a stress."""
 
     @abstractmethod
     def energy(self, deflection: Field, setting: Field) -> Field:

@@ -60,6 +60,7 @@ class AntagonisticLeaves(Actuator):
     kind: ClassVar[str] = "antagonistic_leaves"
     deflection_unit: ClassVar[str] = "m"
     references: ClassVar[tuple[str, ...]] = ("chacon_2011", "bigoni_2013")
+    broken_assumption: ClassVar[str] = "the leaf bends tighter than the protection cylinders where they cannot hold it"
     details: ClassVar[dict[str, Quantity]] = {
         "leaf_length_needed": Quantity("arc length from clamp to roller of the longest leaf", "m"),
         "screw_turns": Quantity("turns of the screw from nuts that touch", "1"),
@@ -75,6 +76,11 @@ class AntagonisticLeaves(Actuator):
     def setting_unit(self) -> str | None:
         """The nut distance is a length."""
         return "m"
+
+    @property
+    def strength(self) -> float:
+        """Tensile yield strength of the leaf [Pa]."""
+        return self.leaf.yield_strength
 
     def spans(self, deflection: Field, setting: Field) -> Field:
         """Spans [m] of left and right leaves, on a new first axis; NaN for a nut distance <= 0."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import lru_cache
+from functools import cache
 from typing import Any
 
 import equinox as eqx
@@ -16,7 +16,7 @@ from varistiff.core.status import Status
 BLOCK = 4096
 
 
-@lru_cache(maxsize=1)
+@cache
 def _respond() -> Callable[..., Any]:
     return eqx.filter_jit(lambda actuator, deflection, setting: actuator.respond(deflection, setting))
 

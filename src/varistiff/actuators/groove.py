@@ -92,15 +92,3 @@ class Groove(eqx.Module):
         """Whether the disc angle lies on the groove, beyond A and up to C (a rounding error beyond C is allowed)."""
         slack = 1e-12 * self.outer_angle
         return (angle > 0.0) & (angle <= self.outer_angle + slack)
-
-    def defect(self) -> str | None:
-        """What makes this groove unusable, None for a good one."""
-        x, y = (float(v) for v in self.centre_position)
-        if x != x or y != y:
-            return "no circle of this arc_radius passes through both ends of the groove; make it larger"
-        ends = (float(self.active_length(jnp.asarray(v))) for v in (0.0, self.outer_angle))
-        travel = self.outer_radius - self.inner_radius
-        wanted = (0.0, travel)
-        if any(abs(end - want) > 1e-9 * self.outer_radius for end, want in zip(ends, wanted, strict=True)):
-            return "the groove turns back on itself: one disc angle meets it twice; choose a larger arc_radius"
-        return None

@@ -90,12 +90,12 @@ class LargeDeflection(LeafJointTheory):
         )
         state = solved.contact
         # the fork has no play: where the overlap is too small to solve, the leaf is still held, and linear
-        still = ~state.touching
+        still = ~state.touching & (jnp.abs(deflection) < 0.5 * math.pi)
         linear = linear_cantilever(radius * jnp.abs(deflection), length, jnp.asarray(leaf.flexural_rigidity))
         load = jnp.where(still, linear.force * radius, solved.moment)
         stiffness = jnp.where(still, 3.0 * leaf.flexural_rigidity * radius**2 / length**3, solved.stiffness)
         return LeafJointState(
-            exists=(still | state.exists) & (jnp.abs(deflection) <= math.pi),
+            exists=still | (state.touching & state.exists & (jnp.abs(deflection) <= math.pi)),
             valid=jnp.ones_like(still),
             energy=count * jnp.where(still, 0.5 * linear.force * radius * jnp.abs(deflection), state.energy),
             load=count * mirrored(deflection, load),

@@ -42,6 +42,11 @@ class Maccepa(Actuator):
         """The setting is a pretension, an elongation of the spring."""
         return "m"
 
+    @property
+    def strength(self) -> None:
+        """An unspecified spring has no stress."""
+        return None
+
     def elongation(self, deflection: Field, setting: Field) -> Field:
         """e [m]; negative where the cable is slack."""
         lever, distance = self.lever_length, self.anchor_distance

@@ -43,6 +43,7 @@ class RollerBeam(Actuator):
     kind: ClassVar[str] = "roller_beam"
     deflection_unit: ClassVar[str] = "rad"
     references: ClassVar[tuple[str, ...]] = ("dos_santos_2019",)
+    broken_assumption: ClassVar[str] = "both rollers of the fixed pair would bear on the beam"
     details: ClassVar[dict[str, Quantity]] = {
         "contact_slope": Quantity("slope of the beam at the contact", "rad"),
         "contact_force": Quantity("contact force normal to the beam", "N"),
@@ -60,6 +61,11 @@ class RollerBeam(Actuator):
     def setting_unit(self) -> str | None:
         """The setting is the roller's position, a length."""
         return "m"
+
+    @property
+    def strength(self) -> float:
+        """Tensile yield strength of the leaf [Pa]."""
+        return self.beam.yield_strength
 
     def joint(self) -> tuple[Field, Field]:
         """Joint in the clamp's frame: Rot(alpha_w) (-d_1, -d_0) [m]."""
@@ -105,7 +111,12 @@ class RollerBeam(Actuator):
     def energy(self, deflection: Field, setting: Field) -> Field:
         """V [J]: 2 E I sin t offset_ratio(t)/X; 0 without contact, NaN where no solution exists."""
         state = self._contact(deflection, setting, self._bearing(deflection, setting)).contact
-        return jnp.where(state.touching, jnp.where(state.exists, state.energy, jnp.nan), 0.0)
+        value = jnp.where(state.touching, jnp.where(state.exists, state.energy, jnp.nan), 0.0)
+        return jnp.where(self._reached(deflection, setting), value, jnp.nan)
+
+    def _reached(self, deflection: Field, setting: Field) -> Mask:
+        """Whether the shuttle and the joint can stand there."""
+        return (setting > 0.0) & (jnp.abs(self.mounting_angle + deflection) <= math.pi)
 
     def respond(self, deflection: Field, setting: Field) -> tuple[Response, dict[str, Field]]:
         """Closed forms of the contact, translated to the joint; see ``Actuator.respond``."""
@@ -114,9 +125,8 @@ class RollerBeam(Actuator):
         state, side = solved.contact, bearing.side
         stress = self.beam.bending_stress(state.curvature_max)
         blocked = self._blocked(deflection, setting, bearing, solved)
-        turned = jnp.abs(self.mounting_angle + deflection) > math.pi
         status = first_status(
-            no_solution=(state.touching & ~state.exists) | (setting <= 0.0) | turned,
+            no_solution=(state.touching & ~state.exists) | ~self._reached(deflection, setting),
             element_too_short=state.touching & (state.arc_length > self.beam.length),
             no_contact=~state.touching,
             outside_validity=blocked,

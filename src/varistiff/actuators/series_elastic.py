@@ -34,6 +34,11 @@ class SeriesElastic(Actuator):
         """No setting."""
         return None
 
+    @property
+    def strength(self) -> None:
+        """An unspecified spring has no stress."""
+        return None
+
     def energy(self, deflection: Field, setting: Field) -> Field:
         """V [J]."""
         del setting

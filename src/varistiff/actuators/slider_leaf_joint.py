@@ -44,6 +44,7 @@ class SliderLeafJoint(Actuator):
     kind: ClassVar[str] = "slider_leaf_joint"
     deflection_unit: ClassVar[str] = "rad"
     references: ClassVar[tuple[str, ...]] = ("wang_2024",)
+    broken_assumption: ClassVar[str] = "the leaf turns by more than 10 deg, the limit of the small-deflection theory"
     details: ClassVar[dict[str, Quantity]] = {
         "leaf_rotation": Quantity("slope of a leaf at its slider", "rad"),
         "contact_force": Quantity("force of one slider on its leaf", "N"),
@@ -63,6 +64,11 @@ class SliderLeafJoint(Actuator):
     def setting_unit(self) -> str | None:
         """A length, or the angle of the stiffness disc."""
         return "rad" if self.driven_by == "disc" else "m"
+
+    @property
+    def strength(self) -> float:
+        """Tensile yield strength of the leaf [Pa]."""
+        return self.leaf.yield_strength
 
     def active_length(self, setting: Field) -> Field:
         """l_1 [m] of a setting."""
@@ -85,8 +91,10 @@ class SliderLeafJoint(Actuator):
 
     def energy(self, deflection: Field, setting: Field) -> Field:
         """V [J] of all leaves; NaN where no solution exists."""
-        state = self._solve(deflection, self.active_length(setting))
-        return jnp.where(state.exists, state.energy, jnp.nan)
+        length = self.active_length(setting) + 0.0 * deflection
+        reached = self._reached(setting, length)
+        state = self._solve(deflection, jnp.where(reached, length, self.clamp_radius))
+        return jnp.where(reached & state.exists, state.energy, jnp.nan)
 
     def respond(self, deflection: Field, setting: Field) -> tuple[Response, dict[str, Field]]:
         """Closed forms of the theory, translated to the setting; see ``Actuator.respond``."""

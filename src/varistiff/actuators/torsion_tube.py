@@ -51,13 +51,18 @@ class TorsionTube(Actuator):
         return "m"
 
     @property
+    def strength(self) -> float:
+        """Shear stress at yield, yield_strength/sqrt(3) after von Mises [Pa]."""
+        return self.yield_strength / math.sqrt(3.0)
+
+    @property
     def bar(self) -> TorsionBar:
         """The elastic law of this device."""
         return TorsionBar(self.shear_modulus * self.section.torsion_constant, 1.0 / self.series_stiffness)
 
     def energy(self, deflection: Field, setting: Field) -> Field:
-        """V [J]."""
-        return self.bar.energy(deflection, setting)
+        """V [J]; NaN where no solution exists."""
+        return jnp.where(setting > 0.0, self.bar.energy(deflection, jnp.where(setting > 0.0, setting, 1.0)), jnp.nan)
 
     def respond(self, deflection: Field, setting: Field) -> tuple[Response, dict[str, Field]]:
         """Closed forms of the torsion bar; see ``Actuator.respond``."""
@@ -72,7 +77,7 @@ class TorsionTube(Actuator):
             element_too_short=(setting > self.length) | never,
             no_contact=never,
             outside_validity=never,
-            yielded=stress > self.yield_strength / math.sqrt(3.0),
+            yielded=stress > self.strength,
         )
         numbers = (
             bar.energy(deflection, length),

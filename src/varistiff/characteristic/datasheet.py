@@ -16,10 +16,10 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
-from varistiff.characteristic.map_table import MapTable, Mask, element_strength, extreme, spoken
+from varistiff.characteristic.map_table import MapTable, Mask, extreme, spoken
 from varistiff.core.status import Status
 
-__all__ = ["Datasheet", "Group", "Limit", "Row", "StatusCount", "datasheet", "element_strength"]
+__all__ = ["Datasheet", "Group", "Limit", "Row", "StatusCount", "datasheet"]
 
 LIMIT_SETTINGS = 7  # rows of the table of limits: enough to see the trend, few enough to read
 
@@ -65,6 +65,7 @@ class StatusCount:
     status: Status
     count: int
     fraction: float
+    meaning: str
 
 
 @dataclass(frozen=True)
@@ -106,7 +107,7 @@ class Datasheet:
                     "status": entry.status.label,
                     "count": entry.count,
                     "fraction": entry.fraction,
-                    "meaning": entry.status.meaning,
+                    "meaning": entry.meaning,
                     "remedy": entry.status.remedy,
                 }
                 for entry in self.statuses
@@ -145,7 +146,7 @@ def datasheet(dataset: xr.Dataset) -> Datasheet:
     dataset : map with dims (setting, deflection), or (deflection,) for a kind without a setting; the attribute
         ``strength`` [Pa], where present, is what ``stress`` is held against
 
-    Energy capacity is V minus the least V of the same setting in the map, over the ok points.
+    Energy capacity is V minus V at rest: the least V of the same setting among ok points and points without contact.
     """
     table = MapTable.of(dataset)
     groups = (
@@ -162,7 +163,7 @@ def datasheet(dataset: xr.Dataset) -> Datasheet:
         kind=str(dataset.attrs.get("kind", "")),
         groups=tuple(group for group in groups if group.rows),
         limits=tuple(_limits(table)),
-        statuses=tuple(_counts(table.status)),
+        statuses=tuple(_counts(table.status, str(dataset.attrs.get("broken_assumption", "")))),
         units=table.units,
     )
 
@@ -272,14 +273,14 @@ def _play_row(table: MapTable) -> Iterator[Row]:
 
 def _energy_rows(table: MapTable) -> Iterator[Row]:
     unit = table.units["energy"]
-    known = np.asarray(np.isfinite(table.energy))
+    known = np.isfinite(table.energy) & (table.ok | (table.status == Status.NO_CONTACT))
     rest = np.where(known.any(axis=1), np.where(known, table.energy, np.inf).min(axis=1), np.nan)
     stored = table.energy - rest[:, None]
     peak = extreme(stored, table.ok)
     if peak is None:
         yield Row("energy_capacity", "Energy capacity", None, unit, "no ok point")
         return
-    note = f"V minus V at rest, {table.where(peak)}"
+    note = f"V minus its least at the same setting, {table.where(peak)}"
     yield Row("energy_capacity", "Energy capacity", float(stored[peak]), unit, note)
     preload = extreme(rest[:, None], np.asarray(table.ok.any(axis=1))[:, None])
     if preload is not None and rest[preload[0]] > 1e-9 * max(float(stored[peak]), 1e-300):
@@ -335,11 +336,12 @@ def _validity_rows(table: MapTable) -> Iterator[Row]:
     yield Row("points_ok", "Points with status ok", float(count), "1", f"{100.0 * count / size:.3g} % of the map")
 
 
-def _counts(status: npt.NDArray[np.int8]) -> Iterator[StatusCount]:
+def _counts(status: npt.NDArray[np.int8], broken_assumption: str) -> Iterator[StatusCount]:
     for entry in Status:
         count = int((status == entry).sum())
+        here = f" Here: {broken_assumption}." if entry is Status.OUTSIDE_VALIDITY and broken_assumption else ""
         if count:
-            yield StatusCount(entry, count, count / status.size)
+            yield StatusCount(entry, count, count / status.size, entry.meaning + here)
 
 
 def _limits(table: MapTable) -> Iterator[Limit]:

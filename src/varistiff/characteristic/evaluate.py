@@ -16,7 +16,7 @@ from varistiff.core.status import Status
 Progress = Callable[[int, int], None]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Points:
     """Response at points as NumPy arrays of one shape, SI units; see ``Response`` for the meaning.
 
@@ -32,6 +32,12 @@ class Points:
     adjusting_load: np.ndarray
     stress: np.ndarray
     details: dict[str, np.ndarray] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        shape = " x ".join(str(n) for n in self.status.shape) or "1"
+        counts = ", ".join(f"{count} {status.label}" for status, count in self.counts().items())
+        names = ", ".join(("energy", "load", "stiffness", "adjusting_load", "stress", *self.details))
+        return f"<Points {shape}: {counts or 'none'}; {names}>"
 
     def counts(self) -> dict[Status, int]:
         """Number of points per status, statuses that occur only."""

@@ -45,7 +45,7 @@ class Ladder:
 
     def good_to(self, rung: Rung, quantity: str, tolerance: float = 0.01) -> float:
         """Largest deflection [rad] up to which the error stays within ``tolerance``; 0 where it never does."""
-        outside = np.abs(self.error(rung, quantity)) > tolerance
+        outside = ~(np.abs(self.error(rung, quantity)) <= tolerance)  # beyond the fold there is nothing to be good to
         if not outside.any():
             return float(self.deflection[-1])
         first = int(outside.argmax())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from importlib.metadata import PackageNotFoundError, version
 from typing import TYPE_CHECKING, Any
 
@@ -112,7 +113,8 @@ def _variables(actuator: Actuator, points: Points) -> dict[str, tuple[np.ndarray
     return variables
 
 
-def _provenance(actuator: Actuator) -> dict[str, str]:
+def _provenance(actuator: Actuator) -> dict[str, Any]:
+    strength = actuator.strength
     versions = []
     for package in ("varistiff", "jax", "numpy", "xarray"):
         try:
@@ -126,4 +128,6 @@ def _provenance(actuator: Actuator) -> dict[str, str]:
         "versions": ", ".join(versions),
         "varistiff_version": versions[0].removeprefix("varistiff "),
         "references": " ".join(actuator.references),
+        "broken_assumption": actuator.broken_assumption,
+        **({} if strength is None or not math.isfinite(strength) else {"strength": float(strength)}),
     }

@@ -4,16 +4,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
 from varistiff.core.status import Status
-
-if TYPE_CHECKING:
-    from varistiff.actuators.actuator import Actuator
 
 Array = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
@@ -102,16 +98,6 @@ def extreme(values: Array, mask: Mask, *, largest: bool = True) -> tuple[int, in
     best = float(keyed.max())
     row, column = np.unravel_index(int(np.argmax(keyed >= best - 1e-9 * abs(best))), keyed.shape)
     return int(row), keyed.shape[1] - 1 - int(column)
-
-
-def element_strength(actuator: Actuator) -> float | None:
-    """What ``stress`` of a kind is held against [Pa]: yield in bending, yield/sqrt(3) in torsion (von Mises)."""
-    for name in ("beam", "leaf"):
-        element = getattr(actuator, name, None)
-        if element is not None:
-            return _finite(float(element.yield_strength))
-    tensile = getattr(actuator, "yield_strength", None)
-    return None if tensile is None else _finite(float(tensile) / math.sqrt(3.0))
 
 
 def _finite(value: float) -> float | None:

@@ -10,12 +10,6 @@ from varistiff.core.status import Status
 if TYPE_CHECKING:
     from varistiff.design.design import Design
 
-_BROKEN_ASSUMPTION = {
-    "antagonistic_leaves": "the leaf bends tighter than the protection cylinders where they cannot hold it",
-    "roller_beam": "both rollers of the fixed pair would bear on the beam",
-    "slider_leaf_joint": "the leaf turns by more than 10 deg, the limit of the small-deflection theory",
-}
-
 
 def warn(design: Design) -> None:
     """Print the design's warnings."""
@@ -31,6 +25,6 @@ def say_statuses(design: Design, statuses: dict[Status, int]) -> None:
         if status is Status.OK or not count:
             continue
         reason = status.meaning
-        if status is Status.OUTSIDE_VALIDITY and design.kind in _BROKEN_ASSUMPTION:
-            reason = f"{reason} Here: {_BROKEN_ASSUMPTION[design.kind]}."
+        if status is Status.OUTSIDE_VALIDITY and design.actuator.broken_assumption:
+            reason = f"{reason} Here: {design.actuator.broken_assumption}."
         print(f"varistiff: {count} {status.label}: {reason} {status.remedy}", file=sys.stderr)

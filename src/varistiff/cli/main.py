@@ -41,7 +41,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             except Exception as error:
                 return _failed(error)
     except (Interrupted, KeyboardInterrupt):
-        return _say("interrupted; nothing was written", WRONG_INPUT)
+        return _say("interrupted", WRONG_INPUT)
 
 
 def _command(arguments: list[str]) -> int:
@@ -76,7 +76,8 @@ def _failed_system_call(error: OSError) -> int:
 
     if error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
         _discard_output()
-        return _say(f"the output cannot be written: {(error.strerror or 'disk full').lower()}", WRONG_INPUT)
+        what = error.filename if error.filename is not None else "the output"
+        return _say(f"{what} cannot be written: {(error.strerror or 'disk full').lower()}", WRONG_INPUT)
     return _failed(error)
 
 

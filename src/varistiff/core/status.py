@@ -39,7 +39,7 @@ _MEANINGS = {
     Status.NO_SOLUTION: "No stable equilibrium exists, or no mechanism has this setting; the numbers are NaN.",
     Status.ELEMENT_TOO_SHORT: "The elastic element is shorter than this point needs; the numbers are NaN.",
     Status.NO_CONTACT: "The drive does not touch the elastic element; load, stiffness and energy are exactly zero.",
-    Status.OUTSIDE_VALIDITY: "An assumption of the model is broken; numbers are given but must not be trusted.",
+    Status.OUTSIDE_VALIDITY: "An assumption of the model is broken; what numbers there are must not be trusted.",
     Status.YIELDED: "The stress in the elastic element exceeds its yield strength.",
 }
 
@@ -48,6 +48,6 @@ _REMEDIES = {
     Status.NO_SOLUTION: "Reduce the deflection, or choose a setting inside the mechanism's travel.",
     Status.ELEMENT_TOO_SHORT: "Lengthen the element, or reduce the largest setting or deflection.",
     Status.NO_CONTACT: "Reduce the clearance or preload the element if play is unwanted.",
-    Status.OUTSIDE_VALIDITY: "Reduce the deflection, lengthen the element or choose the large-deflection theory.",
+    Status.OUTSIDE_VALIDITY: "Reduce the deflection, or change the mechanism or theory so that it holds.",
     Status.YIELDED: "Reduce the deflection or the thickness, lengthen the element or choose a stronger material.",
 }

@@ -15,7 +15,7 @@ from varistiff.core.errors import InputError
 from varistiff.core.textfile import printable_path
 from varistiff.design.build import build
 from varistiff.design.read import read_spec
-from varistiff.design.resolve import canonical, design_hash, resolved
+from varistiff.design.resolve import canonical, design_hash, resolved, unlimited
 from varistiff.design.spec import (
     AntagonisticLeavesSpec,
     AnyActuatorSpec,
@@ -258,4 +258,4 @@ def _warnings(elements: AnyActuatorSpec) -> list[str]:
     tube = elements if isinstance(elements, TorsionTubeSpec) else None
     if tube is not None and tube.length is not None and tube.setting.max > tube.length:
         found.append("actuator.setting.max: is above the element's length: points beyond are element_too_short")
-    return found
+    return [*found, *unlimited(elements)]

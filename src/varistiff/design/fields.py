@@ -79,7 +79,7 @@ PositiveRotationalStiffness = Annotated[float, QuantityOf(quantity.ROTATIONAL_ST
 class Part(BaseModel):
     """A mapping of a design file; unknown fields are errors."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False, populate_by_name=True)
+    model_config = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False)
 
 
 class Range(Part):

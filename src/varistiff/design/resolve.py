@@ -17,7 +17,8 @@ def resolved(spec: AnyActuatorSpec, materials: Mapping[str, Material] | None = N
 
     Raises
     ------
-    InputError : unknown material, or one without the modulus that the element needs
+    InputError : unknown material, one without the modulus that the element needs, or a laminate in torsion without
+        a yield_strength of the design's own
     """
     if isinstance(spec, TorsionTubeSpec):
         return spec.model_copy(update=_filled(spec, "shear_modulus", "actuator", materials))
@@ -38,6 +39,14 @@ def _filled(
         material = find_material(part.material, extra=materials)
     except InputError as error:
         raise error.located(field=f"{field}.material") from None
+    if isinstance(part, TorsionTubeSpec) and part.yield_strength is None and not material.isotropic:
+        # a strength along the fibres over sqrt(3) would be many times the strength in shear
+        raise InputError(
+            f"material {part.material} is not isotropic: its strength along the fibres does not limit torsion; give "
+            "yield_strength here: torsion is held to yield_strength/sqrt(3), so sqrt(3) times the laminate's in-plane "
+            "shear strength",
+            field=f"{field}.yield_strength",
+        )
     update: dict[str, float] = {}
     for name in (modulus, "yield_strength"):
         known = getattr(material, name)
@@ -46,6 +55,16 @@ def _filled(
     if modulus not in update and getattr(part, modulus) is None:
         raise InputError(f"material {part.material} has no known {modulus}; give it here", field=f"{field}.{modulus}")
     return update
+
+
+def unlimited(spec: AnyActuatorSpec) -> tuple[str, ...]:
+    """Return a warning for each element of a resolved spec that has no yield strength, from itself or a material."""
+    parts = {f"actuator.{name}": getattr(spec, name, None) for name in ("beam", "leaf")} | {"actuator": spec}
+    return tuple(
+        f"{field}: no yield strength: nothing is reported as yielded"
+        for field, part in parts.items()
+        if isinstance(part, LeafSpec | TorsionTubeSpec) and part.yield_strength is None
+    )
 
 
 def canonical(spec: AnyActuatorSpec) -> str:

@@ -301,9 +301,16 @@ class MaccepaSpec(Part):
     kind: Literal["maccepa"]
     spring_rate: PositiveLinearStiffness
     lever_length: PositiveLength = Field(description="B")
-    anchor_distance: PositiveLength = Field(description="C")
+    anchor_distance: PositiveLength = Field(description="C, different from B")
     setting: NonNegativeLengthRange = Field(description="Pretension P")
     deflection: AngleRange
+
+    @model_validator(mode="after")
+    def _has_a_rest(self) -> MaccepaSpec:
+        # B = C: the cable's length at rest is zero and its direction undefined; units round, so 35 mm is 0.035 m
+        if math.isclose(self.anchor_distance, self.lever_length, rel_tol=1e-9):
+            raise wrong("equals lever_length; allowed is a different length", field="anchor_distance")
+        return self
 
 
 ActuatorSpec = Annotated[

@@ -30,6 +30,8 @@ class Property:
 class Material:
     """An isotropic material, or a laminate along its fibres; a property that is not known is None.
 
+    A laminate's strength along its fibres limits bending, not torsion: there nothing takes it.
+
     Parameters
     ----------
     key : name in design files
@@ -39,6 +41,7 @@ class Material:
     density : [kg/m^3]
     yield_strength : tensile yield or proof strength [Pa]; without one, the stress that its source allows
     fatigue_limit : amplitude of fully reversed stress that a smooth specimen survives [Pa]
+    isotropic : False for a laminate
     """
 
     key: str
@@ -48,6 +51,7 @@ class Material:
     density: Property | None = None
     yield_strength: Property | None = None
     fatigue_limit: Property | None = None
+    isotropic: bool = True
 
 
 PROPERTIES: dict[str, Kind] = {
@@ -57,7 +61,7 @@ PROPERTIES: dict[str, Kind] = {
     "yield_strength": STRESS,
     "fatigue_limit": STRESS,
 }
-_FIELDS = ("name", "source", *PROPERTIES)
+_FIELDS = ("name", "source", "isotropic", *PROPERTIES)
 
 
 @cache
@@ -73,7 +77,7 @@ def read_materials(path: str | os.PathLike[str]) -> Mapping[str, Material]:
 
     The file maps a key to a mapping with ``name`` and any of ``youngs_modulus``, ``shear_modulus``,
     ``density``, ``yield_strength`` and ``fatigue_limit``: text with a unit, or ``{value: ..., source: ...}``.
-    ``source`` beside them is the source of every value without its own.
+    ``source`` beside them is the source of every value without its own; ``isotropic: false`` marks a laminate.
 
     Raises
     ------
@@ -121,8 +125,11 @@ def _material(key: str, entry: Any) -> Material:
     name, source = entry.get("name", key), entry.get("source")
     if not isinstance(name, str) or not (source is None or isinstance(source, str)):
         raise InputError("name and source must be text", field=key)
+    isotropic = entry.get("isotropic", True)
+    if not isinstance(isotropic, bool):
+        raise InputError(f"is {quoted(isotropic)}; allowed is true or false", field=f"{key}.isotropic")
     values = {field: _property(entry.get(field), source, f"{key}.{field}", kind) for field, kind in PROPERTIES.items()}
-    return Material(key=key, name=name, **values)
+    return Material(key=key, name=name, isotropic=isotropic, **values)
 
 
 def _property(entry: Any, source: str | None, field: str, kind: Kind) -> Property | None:
@@ -148,5 +155,5 @@ def _property(entry: Any, source: str | None, field: str, kind: Kind) -> Propert
 
 
 # the loader fills the dataclass by name: the two lists of properties must be one
-if [field.name for field in fields(Material)][2:] != list(PROPERTIES):
+if [field.name for field in fields(Material)] != ["key", "name", *PROPERTIES, "isotropic"]:
     raise AssertionError("Material and PROPERTIES differ")

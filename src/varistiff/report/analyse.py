@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import contextlib
 import json
 import os
-import secrets
-import shutil
+import re
 import sys
-from collections.abc import Iterator
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -55,30 +52,27 @@ def analyse(design: Design, output: str | os.PathLike[str], *, progress: bool = 
     progress : tell on the standard error stream what is being done
 
     Written: map.nc (netCDF), datasheet.json, datasheet.csv, figures/*.svg and *.png, report.html. They appear
-    together or not at all, also when the run is interrupted.
+    together or not at all, also when the run is interrupted; nothing is left beside them.
 
     Raises
     ------
     InputError : the directory holds something else, or cannot be written
     """
-    from varistiff.characteristic.datasheet import datasheet, element_strength
+    from varistiff.characteristic.datasheet import datasheet
 
-    target = Path(os.path.realpath(output))
-    _check_replaceable(target, shown=printable_path(os.fspath(output)))
+    _check_replaceable(output)
     tell = _teller(progress)
     tell("map")
     dataset = design.map(progress=progress)
-    strength = element_strength(design.actuator)
-    if strength is not None:
-        dataset.attrs.setdefault("strength", strength)
     dataset.attrs.setdefault("created", datetime.now(UTC).isoformat(timespec="seconds"))
     sheet = datasheet(dataset)
-    with _replacing(output, target) as folder:
+    with staged_directory(output) as folder:
         pictures = _write_figures(design, dataset, folder / FIGURES, tell)
         tell("report")
         _write_report(design, dataset, sheet, pictures, folder)
         tell("data")
         _write_data(dataset, sheet, folder)
+        _check_replaceable(output)  # again: somebody may have put a file there meanwhile
     return Analysis(output=Path(output), dataset=dataset, datasheet=sheet, summary=_summary(design, sheet))
 
 
@@ -110,7 +104,15 @@ def _write_data(dataset: xr.Dataset, sheet: Datasheet, folder: Path) -> None:
     packed = {
         name: {"zlib": True, "complevel": 1} for name, variable in dataset.data_vars.items() if variable.size > 1000
     }
-    dataset.to_netcdf(folder / "map.nc", engine="h5netcdf", encoding=packed)
+    path = folder / "map.nc"
+    try:
+        dataset.to_netcdf(path, engine="h5netcdf", encoding=packed)
+    except (OSError, RuntimeError) as error:
+        # HDF5 tells of a full disk in the middle of a long text, and not always as an OSError
+        number = re.search(r"errno = (\d+)", str(error))
+        if number is None:
+            raise
+        raise OSError(int(number[1]), os.strerror(int(number[1])), str(path)) from error
     text = json.dumps(sheet.as_dict(), indent=2, ensure_ascii=False, allow_nan=False)
     (folder / "datasheet.json").write_text(text + "\n", encoding="utf-8")
     (folder / "datasheet.csv").write_text(sheet.as_csv(), encoding="utf-8")
@@ -123,13 +125,14 @@ def _summary(design: Design, sheet: Datasheet) -> tuple[str, ...]:
     for entry in sheet.statuses:
         if entry.status is not Status.OK:
             share = f"{entry.count} points ({100.0 * entry.fraction:.3g} %)"
-            lines.append(f"{entry.status.label}: {share}. {entry.status.meaning} {entry.status.remedy}")
+            lines.append(f"{entry.status.label}: {share}. {entry.meaning} {entry.status.remedy}")
     lines += [f"warning: {warning}" for warning in design.warnings]
     return tuple(lines)
 
 
-def _check_replaceable(target: Path, *, shown: str) -> None:
+def _check_replaceable(output: str | os.PathLike[str]) -> None:
     """Refuse a directory with anything in it that an analysis did not write."""
+    target, shown = Path(output), printable_path(os.fspath(output))
     if not target.is_dir():
         return  # missing, or a file: writing says what is wrong with it
     try:
@@ -151,22 +154,6 @@ def _ours(entry: Path) -> bool:
     if entry.name == FIGURES and entry.is_dir() and not entry.is_symlink():
         return all(part.suffix in (".svg", ".png") and part.is_file() for part in entry.iterdir())
     return entry.name in FILES and entry.is_file()
-
-
-@contextlib.contextmanager
-def _replacing(output: str | os.PathLike[str], target: Path) -> Iterator[Path]:
-    """Stage a directory; an earlier result steps aside at the last moment and comes back on failure."""
-    aside = target.with_name(f".{target.name[:100]}.{secrets.token_hex(4)}.old")
-    try:
-        with staged_directory(output) as folder:
-            yield folder
-            if target.is_dir():
-                target.rename(aside)
-    except BaseException:
-        if aside.exists() and not target.exists():
-            aside.rename(target)
-        raise
-    shutil.rmtree(aside, ignore_errors=True)
 
 
 class _Tell:

@@ -91,7 +91,7 @@ def render_report(
                 "label": entry.status.label,
                 "count": entry.count,
                 "share": f"{100.0 * entry.fraction:.3g} %",
-                "meaning": entry.status.meaning,
+                "meaning": entry.meaning,
                 "remedy": entry.status.remedy,
             }
             for entry in sheet.statuses
