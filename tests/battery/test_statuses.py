@@ -178,6 +178,8 @@ def test_slider_rotation_limit() -> None:
     assert statuses(weak, points) == [Status.YIELDED, Status.OUTSIDE_VALIDITY, Status.OUTSIDE_VALIDITY]
     numbers = respond(weak, np.array([limit * 2]), np.array([length]))
     assert math.isfinite(numbers["load"][0])
+    # the formulas have no fold: numbers go on, and are not believed where tan(phi) is small again
+    assert statuses(_slider(SmallDeflection()), [(2.0, length), (math.pi, length), (-3.0, length)]) == [4, 4, 4]
 
 
 def test_slider_small_deflection_yields() -> None:

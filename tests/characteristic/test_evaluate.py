@@ -52,6 +52,8 @@ def test_counts_name_the_statuses() -> None:
 @pytest.mark.parametrize(
     ("deflection", "setting", "said"),
     [
+        ("5 deg", 0.1, "deflection: takes numbers"),
+        (0.1, 1j, "setting"),
         ([0.1, np.nan], 0.1, "deflection"),
         (0.1, np.inf, "setting"),
         (0.1, None, "setting"),

@@ -229,7 +229,7 @@ def test_an_input_that_vanishes_is_not_blamed_on_the_output(
 def test_a_pipe_as_output(series: Path) -> None:
     empty = make(series.parent, "empty.csv", b"deflection\n")
     command = [sys.executable, "-m", "varistiff.cli", "evaluate", str(series), str(empty), "--output", "/dev/stdout"]
-    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     assert done.stdout.startswith("deflection,setting,status,")
 

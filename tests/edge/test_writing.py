@@ -136,6 +136,7 @@ def interrupted_at(line: int, action: Callable[[], None]) -> bool:
     return False
 
 
+@pytest.mark.filterwarnings("ignore:unclosed file:ResourceWarning")  # interrupted on the way into close
 @pytest.mark.parametrize("parents", [".", "deep/er"])
 @pytest.mark.parametrize("earlier", [False, True])
 @pytest.mark.parametrize("what", ["file", "directory"])
@@ -186,10 +187,10 @@ def test_a_result_that_cannot_be_put_back_is_kept(tmp_path: Path, monkeypatch: p
         return whole(self, to)
 
     monkeypatch.setattr(Path, "rename", rename)
-    with pytest.raises(InputError, match="cannot be put back: input/output error; it is in ") as said:
-        with staged_directory(target) as staged:  # noqa: SIM117 - only this may raise
-            fill(staged, "new")
-    assert (Path(str(said.value).rpartition("it is in ")[2]) / "map.nc").read_text() == "old"
+    said = pytest.raises(InputError, match="cannot be put back: input/output error; it is in ")
+    with said as caught, staged_directory(target) as staged:
+        fill(staged, "new")
+    assert (Path(str(caught.value).rpartition("it is in ")[2]) / "map.nc").read_text() == "old"
 
 
 def test_a_directory_without_write_permission_is_said_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -225,7 +226,7 @@ def test_a_pipe_is_written_to(tmp_path: Path) -> None:
         "    with staged_directory('/dev/stdout'): pass\n"
         "except ValueError as error: print(error)\n"
     )
-    done = subprocess.run([sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
     assert done.stderr == ""
     assert done.stdout == "a/dev/stdout: is a file; allowed is the name of a directory\n"
 

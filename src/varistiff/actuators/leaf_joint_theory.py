@@ -45,20 +45,20 @@ class SmallDeflection(LeafJointTheory):
 
         V = N E b h^3 l_2^2 (1 - cos phi)/(4 l_1^3),   l_2 = r_2 + l_1
 
-    Valid while the leaf turns by less than 10 degrees at the slider; no solution at or beyond 90 degrees of phi.
+    Valid while the leaf turns by at most 10 degrees at the slider; the formulas have no fold and go on beyond.
     """
 
     def solve(self, leaf: Leaf, count: int, clamp_radius: float, deflection: Field, length: Field) -> LeafJointState:
         """Closed forms; dV/dl_1 = -N E b h^3 (1 - cos phi)(l_1^2 + 4 r_2 l_1 + 3 r_2^2)/(4 l_1^4)."""
-        exists = jnp.abs(deflection) < 0.5 * math.pi
-        phi = jnp.where(exists, deflection, 0.0)
+        phi = deflection
         radius = clamp_radius + length
         scale = 3.0 * count * leaf.flexural_rigidity / length**3
         versine = 2.0 * jnp.sin(0.5 * phi) ** 2
         single = linear_cantilever(radius * jnp.tan(phi), length, jnp.asarray(leaf.flexural_rigidity))
         return LeafJointState(
-            exists=exists,
-            valid=jnp.abs(single.rotation) <= ROTATION_LIMIT,
+            exists=jnp.ones_like(phi, dtype=bool),
+            # tan(phi) is small again near half a turn
+            valid=(jnp.abs(single.rotation) <= ROTATION_LIMIT) & (jnp.abs(phi) < 0.5 * math.pi),
             energy=scale * radius**2 * versine,
             load=scale * radius**2 * jnp.sin(phi),
             stiffness=scale * radius**2 * jnp.cos(phi),

@@ -36,9 +36,9 @@ class SliderLeafJoint(Actuator):
 
     Notes
     -----
-    Statuses: ``no_solution`` for l_1 <= 0, settings off the groove, |phi| >= 90 degrees (small deflection) or beyond
-    the fold (exact); ``element_too_short``; ``outside_validity`` beyond 10 degrees of leaf rotation (small
-    deflection); ``yielded``. The fork has no play, so phi = 0 is ``ok``. doi 10.3390/app14072685.
+    Statuses: ``no_solution`` for l_1 <= 0, settings off the groove, or beyond the fold (exact);
+    ``element_too_short``; ``outside_validity`` beyond 10 degrees of leaf rotation (small deflection); ``yielded``. The
+    fork has no play, so phi = 0 is ``ok``. doi 10.3390/app14072685.
     """
 
     kind: ClassVar[str] = "slider_leaf_joint"

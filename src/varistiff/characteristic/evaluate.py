@@ -91,7 +91,7 @@ def _broadcast(actuator: Actuator, deflection: ArrayLike, setting: ArrayLike | N
         if actuator.setting_unit is not None:
             raise InputError(f"a {actuator.kind} needs a setting in {actuator.setting_unit}", field="setting")
         setting = 0.0
-    columns = {"deflection": np.asarray(deflection, float), "setting": np.asarray(setting, float)}
+    columns = {"deflection": _numbers("deflection", deflection), "setting": _numbers("setting", setting)}
     for name, values in columns.items():
         if not np.isfinite(values).all() and not (name == "setting" and actuator.setting_unit is None):
             raise InputError("must be finite; NaN and infinity are not points of a map", field=name)
@@ -101,3 +101,10 @@ def _broadcast(actuator: Actuator, deflection: ArrayLike, setting: ArrayLike | N
         shapes = " and ".join(f"{name} {values.shape}" for name, values in columns.items())
         raise InputError(f"shapes must broadcast: {shapes}") from None
     return d, s
+
+
+def _numbers(name: str, values: ArrayLike) -> np.ndarray:
+    try:
+        return np.asarray(values, float)
+    except (TypeError, ValueError):
+        raise InputError("takes numbers in SI units; quantities as text belong into design files", field=name) from None

@@ -102,7 +102,9 @@ def _settle(staging: Path, final: Path) -> None:
         except OSError as error:
             shown = printable_path(str(earlier))
             raise InputError(f"cannot be put back: {reason(error)}; it is in {shown}", file=str(final)) from None
-    shutil.rmtree(staging, ignore_errors=True)
+    for _ in range(2):  # a signal inside rmtree may surface as an OSError of its own
+        with contextlib.suppress(OSError):
+            shutil.rmtree(staging, ignore_errors=True)
 
 
 class _DiscardError(Exception):

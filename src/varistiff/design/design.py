@@ -204,6 +204,8 @@ def load(path: str | os.PathLike[str], *, materials: str | os.PathLike[str] | No
     ------
     InputError : one line with file, field, what is wrong and what is allowed
     """
+    if not isinstance(path, str | os.PathLike):
+        raise InputError(f"load takes the path of a design file, not a {type(path).__name__}")
     spec, text = read_spec(path)
     file = printable_path(os.fspath(path))
     own = _own_materials(spec, Path(path), materials)
@@ -255,6 +257,9 @@ def _warnings(elements: AnyActuatorSpec) -> list[str]:
                     f"actuator.{name}: length/thickness is {slenderness:.3g}, below {_SLENDERNESS_LIMIT}: "
                     "the model leaves out shear deformation, which is not small here"
                 )
+    joint = elements if isinstance(elements, SliderLeafJointSpec) else None
+    if joint is not None and joint.groove is not None and not joint.groove.meets_each_angle_once(joint.clamp_radius):
+        found.append("actuator.groove: meets a disc angle twice; it limits the active length but gives no disc angle")
     tube = elements if isinstance(elements, TorsionTubeSpec) else None
     if tube is not None and tube.length is not None and tube.setting.max > tube.length:
         found.append("actuator.setting.max: is above the element's length: points beyond are element_too_short")

@@ -122,18 +122,6 @@ class LengthRange(Range):
         return self.min, self.max
 
 
-class NonNegativeLengthRange(Range):
-    """Range of a length that cannot be negative."""
-
-    min: NonNegativeLength = Field(examples=["5 mm"])
-    max: PositiveLength = Field(examples=["25 mm"])
-
-    @property
-    def bounds(self) -> tuple[float, float]:
-        """Smallest and largest length [m]."""
-        return self.min, self.max
-
-
 class PositiveLengthRange(Range):
     """Range of a length that must be above zero."""
 

@@ -14,7 +14,6 @@ from varistiff.design.fields import (
     Length,
     LengthRange,
     NonNegativeLength,
-    NonNegativeLengthRange,
     Part,
     PositiveAngle,
     PositiveLength,
@@ -77,11 +76,11 @@ class CountedLeafSpec(LeafSpec):
 
 
 class SingleRollerSpec(Part):
-    """One roller of finite radius below or above the beam."""
+    """One roller below or above the beam; radius 0 is a knife edge."""
 
     arrangement: Literal["single_lower", "single_upper"]
     offset: Length = Field(default=0.0, validate_default=False, description="d_r, roller centre from the link axis")
-    radius: PositiveLength
+    radius: NonNegativeLength
 
 
 class FixedPairSpec(Part):
@@ -89,7 +88,7 @@ class FixedPairSpec(Part):
 
     arrangement: Literal["fixed_pair"]
     offset: Length = Field(default=0.0, validate_default=False, description="Middle of the pair from the link axis")
-    radius: PositiveLength
+    radius: NonNegativeLength
     clearance: PositiveLength
 
 
@@ -98,7 +97,7 @@ class SwivellingPairSpec(Part):
 
     arrangement: Literal["swivelling_pair"]
     offset: Length = Field(default=0.0, validate_default=False, description="Pivot from the link axis")
-    radius: PositiveLength | None = Field(default=None, description="Of no effect: the pair turns with the beam")
+    radius: NonNegativeLength | None = Field(default=None, description="Of no effect: the pair turns with the beam")
     clearance: NonNegativeLength
 
 
@@ -278,7 +277,7 @@ class SliderLeafJointSpec(Part):
                 f"is too small to join the groove's ends; allowed is half their distance or more, {limit}",
                 field="groove.arc_radius",
             )
-        if not groove.meets_each_angle_once(self.clamp_radius):
+        if self.driven_by == "disc" and not groove.meets_each_angle_once(self.clamp_radius):
             raise wrong(
                 f"makes a groove that meets a disc angle twice with the {groove.centre} centre; allowed is a larger "
                 "arc_radius, or the other centre",
@@ -302,7 +301,7 @@ class MaccepaSpec(Part):
     spring_rate: PositiveLinearStiffness
     lever_length: PositiveLength = Field(description="B")
     anchor_distance: PositiveLength = Field(description="C, different from B")
-    setting: NonNegativeLengthRange = Field(description="Pretension P")
+    setting: LengthRange = Field(description="Pretension P; below zero the cable hangs slack around rest")
     deflection: AngleRange
 
     @model_validator(mode="after")

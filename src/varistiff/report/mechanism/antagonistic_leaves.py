@@ -64,8 +64,8 @@ def draw(actuator: AntagonisticLeaves, dataset: xr.Dataset) -> Drawing:
     caption = (
         "The mechanism to scale, in the frame of bar 1, whose screw sets the distance of the nuts."
         " Bar 2 carries the rollers"
-        " and moves along the screw: one pair of leaves is squeezed, the other stretched. Grey: zero"
-        " deflection; colours:"
+        " and moves along the screw: one pair of leaves is squeezed, the other stretched. Grey: the"
+        " deflection nearest to zero; colours:"
         " half and whole usable deflection, at the softest and the stiffest usable setting. The"
         " leaves' distance from the"
         " screw is not part of the design."

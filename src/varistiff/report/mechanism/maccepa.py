@@ -64,7 +64,7 @@ def draw(actuator: Maccepa, dataset: xr.Dataset) -> Drawing:
     caption = (
         "Lever, anchor and cable to scale, in the frame of the link. The lever turns with the drive;"
         " the cable runs from its"
-        " tip through the anchor to the spring. Grey: zero deflection; colours: half and whole"
+        " tip through the anchor to the spring. Grey: the deflection nearest to zero; colours: half and whole"
         " usable deflection. Of the spring only"
         " its elongation is to scale: the plates stand where the cable pulls them."
     )

@@ -64,7 +64,7 @@ def draw(actuator: RollerBeam, dataset: xr.Dataset) -> Drawing:
     caption = (
         "The mechanism to scale, in the frame of link 1, which carries the clamped beam and ends in"
         " the joint. Link 2 turns"
-        " about the joint; the rollers on its shuttle bend the beam. Grey: zero deflection; colours:"
+        " about the joint; the rollers on its shuttle bend the beam. Grey: the deflection nearest to zero; colours:"
         " half and whole usable"
         " deflection, at the stiffest and the softest usable setting."
     )

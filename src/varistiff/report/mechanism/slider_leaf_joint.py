@@ -57,7 +57,7 @@ def draw(actuator: SliderLeafJoint, dataset: xr.Dataset) -> Drawing:
     caption = (
         f"The joint to scale along its axis. {leaves}, seen on edge, clamped on the output disc; the"
         " sliders turn with the"
-        " input disc. Grey: zero deflection; colours: half and whole usable deflection, at the"
+        " input disc. Grey: the deflection nearest to zero; colours: half and whole usable deflection, at the"
         " stiffest and the softest usable"
         " setting."
     )
