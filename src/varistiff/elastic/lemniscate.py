@@ -23,6 +23,7 @@ from jaxtyping import Array, Float
 from varistiff.elastic.polynomial import estrin
 
 LEMNISCATE_CONSTANT = 2.6220575542921198105
+_PI_REST = 1.2246467991473532e-16  # pi less its nearest double: near the fold it is not negligible
 
 COEFFICIENTS = json.loads(files("varistiff.elastic").joinpath("contact_coefficients.json").read_text("utf-8"))
 
@@ -42,7 +43,7 @@ class SlopeTerms(NamedTuple):
 def slope_terms(slope: Field) -> SlopeTerms:
     """Sine, cosine and both ratios at once, for 0 <= slope < pi; relative error about 1e-15."""
     beyond = slope > 0.5 * math.pi
-    folded = jnp.where(beyond, math.pi - slope, slope)
+    folded = jnp.where(beyond, (math.pi - slope) + _PI_REST, slope)
     square = folded * folded
     sine_ratio = estrin(COEFFICIENTS["sine"], square)
     sine = folded * sine_ratio

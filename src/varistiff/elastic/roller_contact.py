@@ -29,7 +29,7 @@ from varistiff.elastic.polynomial import estrin
 
 CONTACT_TOLERANCE = 1e-12  # a gap or an overlap [m] below this is no contact
 _CONVERGED = 1e-6  # a cubic step this small leaves an error below 1e-15
-_FIRST_CHANGE = 1e-4  # the same for a second step from a 1 % guess: the constant of the cubic is then below 1e-3
+_FIRST_CHANGE = 1e-6  # the same for the second step from the fitted guess, which in practice is a thousandth of that
 _STEPS_AT_MOST = 60
 
 Field = Float[Array, "..."]
