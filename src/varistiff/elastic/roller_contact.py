@@ -194,10 +194,12 @@ def _finish(slope: Field, open_: Bool[Array, "..."], x: Field, y: Field, r: Fiel
         count, t, low, high, pending = carry
         g, change = _step(t, x1, y1, epsilon)
         low, high = jnp.where(g < 0.0, t, low), jnp.where(g < 0.0, high, t)
-        proposal = t + change
-        inside = (proposal > low) & (proposal < high)
+        close = jnp.abs(change) <= _CONVERGED * _room(t)
+        proposal = jnp.clip(t + change, 0.0, fold_slope)
+        # a step too small to leave the bracket's end is the last one, not a reason to bisect
+        inside = close | (proposal > low) & (proposal < high)
         proposal = jnp.where(inside, proposal, 0.5 * (low + high))
-        settled = (jnp.abs(change) <= _CONVERGED * _room(t)) & inside | (high - low <= 4e-16 * high)
+        settled = close | (high - low <= 4e-16 * high)
         return count + 1, jnp.where(pending, proposal, t), low, high, pending & ~settled
 
     def more(carry: _Carry) -> Array:
