@@ -34,7 +34,7 @@ $(CORE): pyproject.toml constraints.txt
 	touch $@
 
 $(TOOLS): $(CORE)
-	$(PIP) install --quiet --constraint constraints.txt --editable '.[test,docs,dev,benchmark]'
+	$(PIP) install --quiet --constraint constraints.txt --editable '.[test,docs,dev,fe,dxf]'
 	touch $@
 
 results/%/report.html: examples/%.yaml $(CORE) $(SOURCES)

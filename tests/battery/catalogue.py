@@ -31,12 +31,13 @@ from varistiff.actuators import (
     TorsionTube,
 )
 from varistiff.actuators.antagonistic_leaves import AntagonisticLeaves
+from varistiff.elastic.end_effect import EndEffect
 from varistiff.elastic.guided_leaf import GuidedLeaf
 from varistiff.elastic.leaf import Leaf
 from varistiff.elastic.leaf_law import LeafLaw
 from varistiff.elastic.sliding_leaf import SlidingLeaf
 from varistiff.elastic.wrapped_leaf import WrappedLeaf
-from varistiff.sections import Circle, HollowCircle
+from varistiff.sections import Circle, HollowCircle, SplinedTube
 
 from .evaluation import BATCH
 
@@ -184,6 +185,30 @@ def _torsion_solid(scale: Scale) -> Actuator:
     )
 
 
+def _torsion_splined(scale: Scale) -> Actuator:
+    """A solved section, and ends that lengthen it."""
+    size = scale.length
+    return TorsionTube(
+        shear_modulus=0.63e9 * scale.modulus,
+        section=SplinedTube(
+            outer_radius=0.011 * size,
+            inner_radius=0.0087 * size,
+            rails=6,
+            rail_width=0.004 * size,
+            rail_height=0.0025 * size,
+            root_fillet=0.0005 * size,
+        ),
+        end_effect=EndEffect(
+            offset=0.0013 * size,
+            lock_offset=0.002 * size,
+            decay=0.004 * size,
+            shortest=0.002 * size,
+            longest=0.2 * size,
+        ),
+        yield_strength=48e9,
+    )
+
+
 def _antagonistic(law: Callable[[float], LeafLaw]) -> Callable[[Scale], Actuator]:
     def build(scale: Scale) -> Actuator:
         size = scale.length
@@ -250,6 +275,7 @@ CATALOGUE: tuple[Case, ...] = (
     Case("roller_upper", _upper, ((-1.30, -0.20),), (0.2, 0.45), False, True),
     Case("roller_fixed_pair", _fixed_pair, _both(0.20, 0.60), (0.2, 0.45), False, True),
     Case("torsion_series", _torsion, ((-0.26, 0.26),), (0.011, 0.166), True),
+    Case("torsion_splined", _torsion_splined, ((-0.26, 0.26),), (0.003, 0.166), True),
     Case("torsion_solid", _torsion_solid, ((-0.26, 0.26),), (0.011, 0.166), True),
     Case("leaves_guided", _antagonistic(lambda _: GuidedLeaf()), ((-0.015, 0.015),), (0.0615, 0.183), True, True),
     Case("leaves_sliding", _antagonistic(lambda _: SlidingLeaf()), ((-0.015, 0.015),), (0.0615, 0.183), True, True),

@@ -24,12 +24,13 @@ from varistiff.actuators import (
 )
 from varistiff.actuators.antagonistic_leaves import AntagonisticLeaves
 from varistiff.core.status import Status
+from varistiff.elastic.end_effect import EndEffect
 from varistiff.elastic.guided_leaf import GuidedLeaf
 from varistiff.elastic.leaf import Leaf
 from varistiff.elastic.leaf_law import LeafLaw
 from varistiff.elastic.sliding_leaf import SlidingLeaf
 from varistiff.elastic.wrapped_leaf import WrappedLeaf
-from varistiff.sections import Circle, HollowCircle
+from varistiff.sections import Circle, HollowCircle, SplinedTube
 
 from .evaluation import energy, respond, statuses
 from .predicates import fold_angle
@@ -55,6 +56,39 @@ def test_torsion_tube() -> None:
     assert statuses(tube, points) == [Status.OK, Status.YIELDED, Status.YIELDED, Status.ELEMENT_TOO_SHORT]
     endless = TorsionTube(shear_modulus=0.63e9, section=Circle(radius=0.009))
     assert statuses(endless, [(5.0, 1.0), (0.0, 100.0)]) == [Status.OK, Status.OK]
+
+
+def _rails(root_fillet: float) -> SplinedTube:
+    return SplinedTube(
+        outer_radius=0.011, inner_radius=0.0087, rails=6, rail_width=0.004, rail_height=0.0025, root_fillet=root_fillet
+    )
+
+
+def test_torsion_tube_with_an_end_model() -> None:
+    """Numbers outside the fitted lengths are given, and said to be outside; no length, no solution."""
+    tube = TorsionTube(
+        shear_modulus=0.63e9,
+        section=HollowCircle(outer_radius=0.011, inner_radius=0.0087),
+        length=0.17,
+        yield_strength=48e6,
+        end_effect=EndEffect(offset=-0.002, lock_offset=0.0, decay=1.0, shortest=0.01, longest=0.15),
+    )
+    settings = [0.0, 0.002 * BELOW, 0.005, 0.01, 0.15, 0.16, 0.17 * ABOVE]
+    expected = [Status.NO_SOLUTION] * 2 + [Status.OUTSIDE_VALIDITY] + [Status.OK] * 2
+    expected += [Status.OUTSIDE_VALIDITY, Status.ELEMENT_TOO_SHORT]
+    assert statuses(tube, [(1e-4, setting) for setting in settings]) == expected
+    assert np.isfinite(respond(tube, [1e-4], [0.005])["load"]).all()
+
+
+def test_a_sharp_root_has_no_stress_to_hold_against() -> None:
+    """Infinite under load, 0 at rest, never yielded; a fillet has a stress and yields."""
+    sharp, filleted = (
+        TorsionTube(shear_modulus=0.63e9, section=_rails(fillet), yield_strength=1e6) for fillet in (0.0, 0.0005)
+    )
+    answer = respond(sharp, [0.0, 0.2, -0.2], [0.1, 0.1, 0.1])
+    assert list(answer["stress"]) == [0.0, math.inf, math.inf]
+    assert list(answer["status"]) == [Status.OK] * 3
+    assert statuses(filleted, [(0.2, 0.1)]) == [Status.YIELDED]
 
 
 def _leaves(law: LeafLaw, *, length: float = math.inf, strength: float = math.inf) -> AntagonisticLeaves:

@@ -37,10 +37,20 @@ class Quantity(NamedTuple):
     unit: str
 
 
+class Constant(NamedTuple):
+    """Number of an actuator that holds at every point; NaN where it does not exist, and the note says why."""
+
+    value: float
+    long_name: str
+    unit: str
+    note: str = ""
+
+
 class Actuator(eqx.Module):
     """A variable stiffness actuator: one scalar potential V(deflection, setting) in SI units.
 
-    Final subclasses are frozen parameter sets; they add no state and override nothing but the abstract methods.
+    Final subclasses are frozen parameter sets; they add no state and override nothing but the abstract methods,
+    and ``constants`` where there are any.
     """
 
     kind: ClassVar[str]
@@ -58,6 +68,11 @@ class Actuator(eqx.Module):
     @abstractmethod
     def strength(self) -> float | None:
         """Stress [Pa] that counts as yielding: infinite without a yield strength, None without a stress."""
+
+    @property
+    def constants(self) -> dict[str, Constant]:
+        """Numbers that hold at every point and belong into the datasheet, by name."""
+        return {}
 
     @abstractmethod
     def energy(self, deflection: Field, setting: Field) -> Field:

@@ -6,18 +6,16 @@ import csv
 import io
 import math
 import os
-import re
 from array import array
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from varistiff.core.errors import InputError
+from varistiff.core.number_cell import parse_cell
 from varistiff.core.suggest import nearest, printable, quoted
 from varistiff.core.textfile import printable_path, read_text
 
 POINTS_LIMIT = 50_000_000  # bytes; about a million points
-_NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?", re.ASCII)
-_NOT_FINITE = re.compile(r"[+-]?(?:nan|inf|infinity)", re.IGNORECASE)
 _NO_VALUE = ("", "nan")
 
 
@@ -47,32 +45,52 @@ def read_points(path: str | os.PathLike[str], *, has_setting: bool) -> PointsTab
     ------
     InputError : unreadable file, a missing column, or a cell that is no finite number; says the row
     """
+    columns, ignored = read_columns(path, ("deflection", "setting"), unused=() if has_setting else ("setting",))
+    setting = columns.get("setting", array("d", [math.nan]) * len(columns["deflection"]))
+    return PointsTable(deflection=columns["deflection"], setting=setting, ignored=ignored)
+
+
+def read_columns(
+    path: str | os.PathLike[str], wanted: Sequence[str], *, unused: Sequence[str] = ()
+) -> tuple[dict[str, array[float]], tuple[str, ...]]:
+    """Return columns of a CSV file by name, SI values in the order of the file, and the names of all others.
+
+    Parameters
+    ----------
+    wanted : names of the columns
+    unused : of these, columns without a meaning here: they may be absent, and their cells empty or nan
+
+    Raises
+    ------
+    InputError : unreadable file, a missing column, or a cell that is no finite number; says the row
+    """
     file = printable_path(os.fspath(path))
     text = read_text(path, limit=POINTS_LIMIT)
     try:
-        return _points(text, has_setting)
+        return _columns(text, wanted, unused)
     except InputError as error:
         raise error.located(file=file) from None
 
 
-def _points(text: str, has_setting: bool) -> PointsTable:
+def _columns(
+    text: str, wanted: Sequence[str], unused: Sequence[str]
+) -> tuple[dict[str, array[float]], tuple[str, ...]]:
     rows = _rows(text)
     _, header = next(rows, (0, []))
     names = [name.strip() for name in header]
-    deflection_column = _column(names, "deflection", header)
-    setting_column = _column(names, "setting", header) if has_setting or "setting" in names else None
-    ignored = tuple(printable(name) for name in names if name not in ("deflection", "setting"))
-    deflection, setting = array("d"), array("d")
+    places = {name: _column(names, name, header, wanted) for name in wanted if name not in unused or name in names}
+    ignored = tuple(printable(name) for name in names if name not in wanted)
+    found = {name: array("d") for name in places}
     for number, (line, row) in enumerate(rows, start=1):
         if len(row) != len(names):
             cells = "1 cell" if len(row) == 1 else f"{len(row)} cells"
             raise InputError(f"has {cells}; allowed are {len(names)}, as in the header", field=_row(number, line))
-        deflection.append(_number(row[deflection_column], number, line, "deflection"))
-        if setting_column is None or (not has_setting and row[setting_column].strip().lower() in _NO_VALUE):
-            setting.append(math.nan)
-        else:
-            setting.append(_number(row[setting_column], number, line, "setting"))
-    return PointsTable(deflection=deflection, setting=setting, ignored=ignored)
+        for name, place in places.items():
+            if name in unused and row[place].strip().lower() in _NO_VALUE:
+                found[name].append(math.nan)
+            else:
+                found[name].append(parse_cell(row[place], where=f"{_row(number, line)}, column {name}"))
+    return found, ignored
 
 
 def _rows(text: str) -> Iterator[tuple[int, list[str]]]:
@@ -86,32 +104,17 @@ def _rows(text: str) -> Iterator[tuple[int, list[str]]]:
         raise InputError(f"is not CSV: {error}", field=f"line {reader.line_num}") from None
 
 
-def _column(names: list[str], wanted: str, header: list[str]) -> int:
+def _column(names: list[str], wanted: str, header: list[str], others: Sequence[str]) -> int:
     count = names.count(wanted)
     if count == 1:
         return names.index(wanted)
     if count > 1:
         raise InputError(f"the column {wanted} is there {count} times; allowed is once", field="header")
     if len(header) == 1 and (";" in header[0] or "\t" in header[0]):
-        raise InputError("the columns are not separated by commas; allowed: deflection,setting", field="header")
-    match = nearest(wanted, [name for name in names if name not in ("deflection", "setting")])
+        raise InputError(f"the columns are not separated by commas; allowed: {','.join(others)}", field="header")
+    match = nearest(wanted, [name for name in names if name not in others])
     hint = f" (is {quoted(match)} meant?)" if match else ""
-    raise InputError(f"the column {wanted} is missing{hint}; allowed: deflection,setting", field="header")
-
-
-def _number(cell: str, number: int, line: int, column: str) -> float:
-    text = cell.strip()
-    where = f"{_row(number, line)}, column {column}"
-    if not text:
-        raise InputError("is blank; allowed is a finite number in SI units", field=where)
-    if _NOT_FINITE.fullmatch(text):
-        raise InputError(f"{quoted(text)} is not finite; allowed is a finite number in SI units", field=where)
-    if len(text) > 400 or not _NUMBER.fullmatch(text):
-        raise InputError(f"{quoted(text)} is not a number; allowed is a finite number in SI units", field=where)
-    value = float(text)
-    if not math.isfinite(value):
-        raise InputError(f"{quoted(text)} is too large; allowed is a finite number in SI units", field=where)
-    return value
+    raise InputError(f"the column {wanted} is missing{hint}; allowed: {','.join(others)}", field="header")
 
 
 def _row(number: int, line: int) -> str:

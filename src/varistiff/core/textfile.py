@@ -44,19 +44,29 @@ def read_text(path: str | os.PathLike[str], *, limit: int) -> str:
     ------
     InputError : missing, not a regular file, unreadable, too large, empty, binary or not UTF-8
     """
+    data = read_bytes(path, limit=limit)
+    try:
+        return _text(data)
+    except InputError as error:
+        raise error.located(file=printable_path(os.fspath(path))) from None
+
+
+def read_bytes(path: str | os.PathLike[str], *, limit: int) -> bytes:
+    """Return the bytes of a regular file of at most ``limit`` bytes.
+
+    Raises
+    ------
+    InputError : missing, not a regular file, unreadable or too large
+    """
     file = os.fspath(path)
     try:
-        data = _bytes(file, limit)
+        return _bytes(file, limit)
     except OSError as error:
         raise InputError(f"cannot be read: {reason(error)}", file=printable_path(file)) from None
     except InputError:  # a ValueError too, and already in words
         raise
     except ValueError:  # a path with a null character
         raise InputError("is no path that a file can have", file=printable_path(file)) from None
-    try:
-        return _text(data)
-    except InputError as error:
-        raise error.located(file=printable_path(file)) from None
 
 
 def reason(error: OSError) -> str:

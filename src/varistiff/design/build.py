@@ -6,10 +6,12 @@ import math
 from typing import TYPE_CHECKING
 
 from varistiff.core.errors import InputError
+from varistiff.design.fields import Part
+from varistiff.design.section_spec import OutlineSpec
 from varistiff.design.spec import (
     AntagonisticLeavesSpec,
     AnyActuatorSpec,
-    CircleSpec,
+    EndModelSpec,
     FixedPairSpec,
     LeafSpec,
     MaccepaSpec,
@@ -24,7 +26,9 @@ from varistiff.design.spec import (
 if TYPE_CHECKING:
     from varistiff.actuators.actuator import Actuator
     from varistiff.actuators.rollers import FixedPair, SingleLower, SingleUpper, SwivellingPair
+    from varistiff.elastic.end_effect import EndEffect
     from varistiff.elastic.leaf import Leaf
+    from varistiff.sections import Section
 
 
 def build(spec: AnyActuatorSpec) -> Actuator:
@@ -106,24 +110,59 @@ def _roller_beam(spec: RollerBeamSpec) -> Actuator:
     )
 
 
+_SHAPES = {
+    "circle": "Circle",
+    "hollow_circle": "HollowCircle",
+    "square": "Square",
+    "rectangle": "Rectangle",
+    "hexagon": "Hexagon",
+    "octagon": "Octagon",
+    "ellipse": "Ellipse",
+    "triangle": "Triangle",
+    "p3g": "P3G",
+    "p4c": "P4C",
+    "splined_tube": "SplinedTube",
+}
+
+
+def _section(spec: Part) -> Section:
+    from varistiff import sections
+
+    if isinstance(spec, OutlineSpec):
+        return sections.Polygon(loops=spec.loops)
+    lengths = spec.model_dump()
+    shape: Section = getattr(sections, _SHAPES[lengths.pop("shape")])(**lengths)
+    return shape
+
+
+def _end_effect(spec: EndModelSpec | None) -> EndEffect | None:
+    from varistiff.elastic.end_effect import EndEffect
+
+    if spec is None:
+        return None
+    return EndEffect(
+        offset=spec.offset,
+        lock_offset=spec.lock_offset,
+        decay=spec.decay,
+        shortest=spec.valid.min,
+        longest=spec.valid.max,
+    )
+
+
 def _torsion_tube(spec: TorsionTubeSpec) -> Actuator:
     from varistiff.actuators.torsion_tube import TorsionTube
-    from varistiff.sections.circle import Circle
-    from varistiff.sections.hollow_circle import HollowCircle
 
-    section = spec.section
-    shape = (
-        Circle(radius=section.radius)
-        if isinstance(section, CircleSpec)
-        else HollowCircle(outer_radius=section.outer_radius, inner_radius=section.inner_radius)
-    )
-    return TorsionTube(
-        shear_modulus=_given(spec.shear_modulus),
-        section=shape,
-        length=_unlimited(spec.length),
-        series_stiffness=_unlimited(spec.series_stiffness),
-        yield_strength=_unlimited(spec.yield_strength),
-    )
+    try:
+        return TorsionTube(
+            shear_modulus=_given(spec.shear_modulus),
+            section=_section(spec.section),
+            length=_unlimited(spec.length),
+            series_stiffness=_unlimited(spec.series_stiffness),
+            yield_strength=_unlimited(spec.yield_strength),
+            end_effect=_end_effect(spec.end_model),
+        )
+    except InputError as error:  # the section could not be solved
+        raise error.located(field="actuator.section") from None
 
 
 def _antagonistic_leaves(spec: AntagonisticLeavesSpec) -> Actuator:

@@ -25,7 +25,7 @@ from varistiff.design.spec import (
     SliderLeafJointSpec,
     TorsionTubeSpec,
 )
-from varistiff.materials import Material, read_materials
+from varistiff.materials import Material, find_material, read_materials
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -50,6 +50,7 @@ class Design:
     text : the file's text
     spec : the validated file, in SI units
     elements : the actuator's spec with its material's values filled in, in SI units
+    material : of the elastic element, where it has one
     """
 
     name: str
@@ -57,6 +58,7 @@ class Design:
     text: str = field(repr=False)
     spec: DesignSpec = field(repr=False)
     elements: AnyActuatorSpec = field(repr=False)
+    material: Material | None = field(default=None, repr=False)
 
     @property
     def kind(self) -> str:
@@ -210,10 +212,12 @@ def load(path: str | os.PathLike[str], *, materials: str | os.PathLike[str] | No
     file = printable_path(os.fspath(path))
     own = _own_materials(spec, Path(path), materials)
     try:
-        elements = resolved(spec.actuator, own)
+        elements = resolved(spec.actuator, own, directory=Path(path).parent)
     except InputError as error:
         raise error.located(file=file) from None
-    return Design(name=spec.name, path=file, text=text, spec=spec, elements=elements)
+    return Design(
+        name=spec.name, path=file, text=text, spec=spec, elements=elements, material=_material(spec.actuator, own)
+    )
 
 
 @contextmanager
@@ -240,6 +244,13 @@ def _own_materials(
     if spec.materials_file is None:
         return None
     return read_materials(path.parent / spec.materials_file)
+
+
+def _material(spec: AnyActuatorSpec, own: Mapping[str, Material] | None) -> Material | None:
+    for part in (spec, getattr(spec, "beam", None), getattr(spec, "leaf", None)):
+        if isinstance(part, TorsionTubeSpec | LeafSpec) and part.material is not None:
+            return find_material(part.material, extra=own)
+    return None
 
 
 def _range(bounds: tuple[float, float] | None, unit: str | None) -> str:

@@ -5,15 +5,23 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 from varistiff.core.errors import InputError
+from varistiff.core.quantity import LENGTH, parse_quantity
+from varistiff.core.suggest import quoted
+from varistiff.design.section_spec import OutlineSpec, PolygonSpec
 from varistiff.design.spec import AnyActuatorSpec, LeafSpec, SliderLeafJointSpec, TorsionTubeSpec
 from varistiff.materials import Material, find_material
 
 
-def resolved(spec: AnyActuatorSpec, materials: Mapping[str, Material] | None = None) -> AnyActuatorSpec:
-    """Return the spec with the modulus and yield strength of its material filled in where it gives none.
+def resolved(
+    spec: AnyActuatorSpec, materials: Mapping[str, Material] | None = None, *, directory: Path = Path()
+) -> AnyActuatorSpec:
+    """Return the spec with its material's modulus and yield strength filled in where it gives none, and outlines read.
+
+    ``directory`` is where a relative path to an outline starts.
 
     Raises
     ------
@@ -21,13 +29,49 @@ def resolved(spec: AnyActuatorSpec, materials: Mapping[str, Material] | None = N
         a yield_strength of the design's own
     """
     if isinstance(spec, TorsionTubeSpec):
-        return spec.model_copy(update=_filled(spec, "shear_modulus", "actuator", materials))
+        update: dict[str, Any] = _filled(spec, "shear_modulus", "actuator", materials)
+        if isinstance(spec.section, PolygonSpec):
+            update["section"] = _outlined(spec.section, directory)
+        return spec.model_copy(update=update)
     for name in ("beam", "leaf"):
         leaf = getattr(spec, name, None)
         if isinstance(leaf, LeafSpec):
             update = _filled(leaf, "youngs_modulus", f"actuator.{name}", materials)
             return spec.model_copy(update={name: leaf.model_copy(update=update)})
     return spec
+
+
+def _outlined(section: PolygonSpec, directory: Path) -> OutlineSpec:
+    """A polygon with its loops checked, from its own corners or its file."""
+    from varistiff.sections.loops import check_loops
+    from varistiff.sections.polygon_loops import loop_of_points
+
+    if section.file is not None:
+        from varistiff.design.outline_file import read_outline
+
+        try:
+            return OutlineSpec(loops=read_outline(directory / section.file, unit=_unit(section.unit)))
+        except InputError as error:
+            if error.field in ("unit", "file") and error.file is None:
+                raise InputError(error.problem, field=f"actuator.section.{error.field}") from None
+            raise
+    outlines = [section.points or [], *(section.holes or [])]
+    try:
+        return OutlineSpec(loops=check_loops(tuple(loop_of_points(corners) for corners in outlines)))
+    except InputError as error:
+        raise InputError(error.problem, field=f"actuator.section.{error.field or 'points'}") from None
+
+
+def _unit(name: str | None) -> float | None:
+    """What 1 in a file stands for [m]."""
+    if name is None:
+        return None
+    try:
+        return parse_quantity(f"1 {name}", LENGTH)
+    except InputError:
+        raise InputError(
+            f"{quoted(name)} is no unit of length; allowed is one such as mm", field="actuator.section.unit"
+        ) from None
 
 
 def _filled(

@@ -23,19 +23,7 @@ from varistiff.design.fields import (
     PositiveStress,
     wrong,
 )
-
-LATER_SHAPES = (
-    "square",
-    "rectangle",
-    "hexagon",
-    "octagon",
-    "ellipse",
-    "triangle",
-    "p3g",
-    "p4c",
-    "splined_tube",
-    "polygon",
-)
+from varistiff.design.section_spec import SectionSpec
 
 Count = Annotated[int, Field(ge=1, le=1000, strict=True)]
 MaterialName = Annotated[str, Field(description="Name of a material; `varistiff materials` lists them")]
@@ -117,28 +105,36 @@ class RollerBeamSpec(Part):
     deflection: AngleRange = Field(description="Joint angle theta_j")
 
 
-class CircleSpec(Part):
-    """Solid circular section."""
+class EndModelSpec(Part):
+    """What the ends add to the active length, fitted to three-dimensional results; `varistiff verify` prints it."""
 
-    shape: Literal["circle"]
-    radius: PositiveLength
-
-
-class HollowCircleSpec(Part):
-    """Tube."""
-
-    shape: Literal["hollow_circle"]
-    outer_radius: PositiveLength
-    inner_radius: NonNegativeLength
+    offset: Length = Field(description="Length that the ends add far from the flange; below zero they stiffen")
+    lock_length: PositiveLength | None = Field(
+        default=None, description="Effective length at an active length of zero; optional, with decay_length"
+    )
+    decay_length: PositiveLength | None = Field(
+        default=None, description="Active length over which the ends separate; optional, with lock_length"
+    )
+    valid: PositiveLengthRange = Field(description="Active lengths that it was fitted to; outside_validity elsewhere")
 
     @model_validator(mode="after")
-    def _ordered(self) -> HollowCircleSpec:
-        if not self.inner_radius < self.outer_radius:
-            raise wrong("is not below outer_radius; allowed is inner_radius < outer_radius", field="inner_radius")
+    def _consistent(self) -> EndModelSpec:
+        if (self.lock_length is None) != (self.decay_length is None):
+            raise wrong("one of lock_length and decay_length is missing; allowed is both or neither", field="")
+        shortest = self.valid.min + self.offset + self.lock_offset * math.exp(-self.valid.min / self.decay)
+        if shortest <= 0.0:
+            raise wrong("makes the effective length zero or less; allowed is a larger one", field="offset")
         return self
 
+    @property
+    def lock_offset(self) -> float:
+        """Effective length at zero, beyond the offset [m]."""
+        return 0.0 if self.lock_length is None else self.lock_length - self.offset
 
-SectionSpec = Annotated[CircleSpec | HollowCircleSpec, Field(discriminator="shape")]
+    @property
+    def decay(self) -> float:
+        """Length over which it fades [m]; of no effect without a lock length."""
+        return self.valid.max if self.decay_length is None else self.decay_length
 
 
 class TorsionTubeSpec(Part):
@@ -153,6 +149,7 @@ class TorsionTubeSpec(Part):
         default=None, description="Everything else in the drive train; optional"
     )
     length: PositiveLength | None = Field(default=None, description="Length of the element; optional")
+    end_model: EndModelSpec | None = Field(default=None, description="End effects; optional")
     setting: PositiveLengthRange = Field(description="Active length x")
     deflection: AngleRange
 
@@ -321,6 +318,26 @@ AnyActuatorSpec = (
 )
 
 
+class VerificationSpec(Part):
+    """What `varistiff verify` needs of the hardware and no map does; every field is optional."""
+
+    poissons_ratio: Annotated[float, Field(ge=0.0, le=0.49)] | None = Field(
+        default=None, description="A bare number; from the material's E and G where it is left out"
+    )
+    bearing_length: PositiveLength | None = Field(
+        default=None, description="Of a torsion tube's counter bearing along the element"
+    )
+    bearing_clearance: NonNegativeLength | None = Field(default=None, description="Gap between bearing and element")
+    flange_radius: PositiveLength | None = Field(default=None, description="Of the drive-side disc, for STEP")
+    flange_thickness: PositiveLength | None = Field(default=None, description="Of the drive-side disc, for STEP")
+
+    @model_validator(mode="after")
+    def _whole_flange(self) -> VerificationSpec:
+        if (self.flange_radius is None) != (self.flange_thickness is None):
+            raise wrong("one of flange_radius and flange_thickness is missing; allowed is both or neither", field="")
+        return self
+
+
 class DesignSpec(Part):
     """A varistiff design: one variable stiffness actuator and the range of its map."""
 
@@ -329,6 +346,7 @@ class DesignSpec(Part):
 
     name: Annotated[str, Field(min_length=1, max_length=200, description="Title of the report")]
     actuator: ActuatorSpec
+    verification: VerificationSpec | None = Field(default=None, description="For the 3-D check; optional")
     materials_file: Annotated[
         str | None,
         Field(min_length=1, description="YAML file with your own materials, relative to this file; optional"),

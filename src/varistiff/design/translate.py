@@ -10,7 +10,7 @@ from pydantic import BaseModel, ValidationError
 
 from varistiff.core.errors import InputError
 from varistiff.core.suggest import nearest, quoted, unknown
-from varistiff.design.spec import LATER_SHAPES, DesignSpec
+from varistiff.design.spec import DesignSpec
 
 # fields whose value is one of several mappings: the union, what tells them apart, and the word for it
 _UNIONS = {
@@ -77,9 +77,20 @@ def _clause(detail: Any, path: list[str], document: Any) -> tuple[str, str]:
         return field, f"is {quoted(given) if given else 'empty'}; allowed is {limit}"
     if kind.startswith("string"):
         return field, f"is {quoted(given)}; allowed is text (put numbers and words like true in quotes)"
+    if kind in ("list_type", "too_short", "too_long"):
+        return field, _list(detail, path, given)
     if kind.startswith("int") or kind in ("greater_than_equal", "less_than_equal"):
         return field, f"is {quoted(given)}; allowed is a whole number from 1 to 1000"
     return field, f"{quoted(given)} is not allowed here"
+
+
+def _list(detail: Any, path: list[str], given: Any) -> str:
+    if path[-1] in ("points", "holes"):
+        allowed = {"points": "a list of 3 to 2000 corners [x, y]", "holes": "a list of at most 100 lists of corners"}
+        return f"is {quoted(given)}; allowed is {allowed[path[-1]]}"
+    if path[-2:-1] == ["holes"]:
+        return f"is {quoted(given)}; allowed is a list of 3 to 2000 corners [x, y]"
+    return f"is {quoted(given)}; allowed is a corner [x, y], two lengths with units"
 
 
 def _short(part: str) -> str:
@@ -101,8 +112,6 @@ def _union(path: list[str], given: Any) -> tuple[str, str]:
         match = nearest(tag, [str(name) for name in given])
         hint = f" (is {quoted(match)} meant?)" if match else ""
         return field, f"is missing{hint}; allowed: {', '.join(allowed)}"
-    if tag == "shape" and value in LATER_SHAPES:
-        return field, f"{value} comes in a later version; allowed now: {', '.join(allowed)}"
     return field, unknown(tag, value, allowed)
 
 

@@ -9,7 +9,7 @@ Field = Float[Array, "..."]
 
 
 class TorsionBar(eqx.Module):
-    """Bar of torsional rigidity G J whose active length x varies, in series with everything else.
+    """Bar of torsional rigidity G J whose length varies, in series with everything else.
 
     Parameters
     ----------
@@ -20,14 +20,14 @@ class TorsionBar(eqx.Module):
     rigidity: float
     series_compliance: float
 
-    def stiffness(self, active_length: Field) -> Field:
-        """k = 1/(x/(G J) + 1/k_series) [N m/rad]."""
-        return self.rigidity / (active_length + self.rigidity * self.series_compliance)
+    def stiffness(self, length: Field) -> Field:
+        """k = 1/(length/(G J) + 1/k_series) [N m/rad]."""
+        return self.rigidity / (length + self.rigidity * self.series_compliance)
 
-    def energy(self, twist: Field, active_length: Field) -> Field:
+    def energy(self, twist: Field, length: Field) -> Field:
         """V = k twist^2/2 [J], of the bar and what is in series with it."""
-        return 0.5 * self.stiffness(active_length) * twist**2
+        return 0.5 * self.stiffness(length) * twist**2
 
-    def length_force(self, twist: Field, active_length: Field) -> Field:
-        """dV/dx = -torque^2/(2 G J) [N]: only the bar's own compliance depends on its length."""
-        return -((self.stiffness(active_length) * twist) ** 2) / (2.0 * self.rigidity)
+    def length_force(self, twist: Field, length: Field) -> Field:
+        """dV/d(length) = -torque^2/(2 G J) [N]: only the bar's own compliance depends on its length."""
+        return -((self.stiffness(length) * twist) ** 2) / (2.0 * self.rigidity)

@@ -3,19 +3,30 @@
 from __future__ import annotations
 
 import math
+from typing import ClassVar
 
-import equinox as eqx
+from varistiff.sections.outline import Arc, Outline
+from varistiff.sections.properties import SectionProperties
+from varistiff.sections.section import Section, centred
 
 
-class HollowCircle(eqx.Module):
+class HollowCircle(Section):
     """Tube with outer radius R and inner radius r [m], r < R.
 
     >>> round(HollowCircle(outer_radius=0.011, inner_radius=0.0087).torsion_constant * 1e9, 3)
     13.999
     """
 
+    shape: ClassVar[str] = "hollow_circle"
+
     outer_radius: float
     inner_radius: float
+
+    def outline(self) -> Outline:
+        """A twelfth of the tube; every sector is the same."""
+        outer = (Arc((0.0, 0.0), self.outer_radius, 0.0, math.pi / 6.0),)
+        bore = (Arc((0.0, 0.0), self.inner_radius, math.pi / 6.0, -math.pi / 6.0),)
+        return Outline((outer, bore) if self.inner_radius > 0.0 else (outer,), rotations=6, mirror=True)
 
     @property
     def area(self) -> float:
@@ -36,3 +47,13 @@ class HollowCircle(eqx.Module):
     def torsion_modulus(self) -> float:
         """W = J/R [m^3]: the largest shear stress is torque/W, at the outer radius."""
         return self.torsion_constant / self.outer_radius
+
+    def properties(self) -> SectionProperties:
+        """See ``Section.properties``."""
+        return centred(
+            area=self.area,
+            second_moments=(self.second_moment, self.second_moment),
+            torsion_constant=self.torsion_constant,
+            torsion_modulus=self.torsion_modulus,
+            stress_points=((float(self.outer_radius), 0.0),),  # and the whole rim
+        )
