@@ -6,7 +6,7 @@ import platform
 import re
 from pathlib import Path
 
-from benchmarks import cold_start, maps, roller_contact
+from benchmarks import cold_start, maps, roller_contact, sections
 from benchmarks.timing import pin_to_one_core
 
 PAGE = Path(__file__).parents[1] / "docs/performance.md"
@@ -24,7 +24,12 @@ def _machine() -> str:
 def main() -> None:
     cold = cold_start.table()  # before pinning: users' commands are not pinned
     pin_to_one_core()
-    tables = {"roller_contact": roller_contact.table(), "maps": maps.table(), "cold_start": cold}
+    tables = {
+        "roller_contact": roller_contact.table(),
+        "maps": maps.table(),
+        "sections": sections.table(),
+        "cold_start": cold,
+    }
     text = PAGE.read_text(encoding="utf-8")
     for name, rows in tables.items():
         place = "Whole processes, not pinned" if name == "cold_start" else "One pinned core"

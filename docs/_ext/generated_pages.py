@@ -9,6 +9,7 @@ from typing import Any
 
 import api_pages
 import design_reference
+import torsion_tables
 
 from varistiff.core.citations import citations
 from varistiff.core.status import Status
@@ -64,6 +65,10 @@ PAGES: dict[str, Callable[[], str]] = {
     "materials": materials,
     "materials_lacking": lacking,
     "design_fields": design_reference.render,
+    "torsion_sections": torsion_tables.sections_table,
+    "torsion_table_one": torsion_tables.table_one,
+    "torsion_common_modulus": torsion_tables.common_modulus,
+    "torsion_stress_ratios": torsion_tables.stress_ratios,
     **{f"api_{room}": partial(api_pages.render, room) for room in api_pages.ROOMS},
 }
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import csv
 import io
+import math
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from typing import Any
@@ -21,6 +22,7 @@ from varistiff.core.status import Status
 
 __all__ = ["Datasheet", "Group", "Limit", "Row", "StatusCount", "datasheet"]
 
+UNBOUNDED_STRESS = "the ideal stress is unbounded at a sharp corner of the section: no point can count as yielded"
 LIMIT_SETTINGS = 7  # rows of the table of limits: enough to see the trend, few enough to read
 
 
@@ -308,25 +310,38 @@ def _strength_rows(table: MapTable) -> Iterator[Row]:
     unit = table.units["stress"]
     peak = extreme(table.stress, table.ok)
     stress = None if peak is None else float(table.stress[peak])
-    yield Row("stress_peak", "Largest stress", stress, unit, "no ok point" if peak is None else table.where(peak))
+    where = "no ok point" if peak is None else table.where(peak)
+    if table.unbounded:
+        stress, where = None, UNBOUNDED_STRESS
+    yield Row("stress_peak", "Largest stress", stress, unit, where)
     if table.strength is None:
         yield Row("utilisation", "Utilisation (largest stress / strength)", None, "1", "no yield strength is given")
         return
-    yield Row("strength", "Strength that the stress is held against", table.strength, unit)
+    held = "no stress to hold against it" if table.unbounded else ""
+    yield Row("strength", "Strength that the stress is held against", table.strength, unit, held)
     used = None if stress is None else stress / table.strength
-    yield Row("utilisation", "Utilisation (largest stress / strength)", used, "1", "over the ok points")
+    note = UNBOUNDED_STRESS if table.unbounded else "over the ok points"
+    yield Row("utilisation", "Utilisation (largest stress / strength)", used, "1", note)
 
 
 def _detail_rows(dataset: xr.Dataset, table: MapTable) -> Iterator[Row]:
-    """Largest size of every number that only this kind has, such as the leaf length that a design needs."""
+    """What only this kind has: the largest size of each number, such as the leaf length needed, and its constants."""
     common = {"status", "energy", table.load_name, "stiffness", table.adjusting_name, "stress"}
-    for name in sorted(str(name) for name in dataset.data_vars if name not in common):
+    own = sorted(str(name) for name in dataset.data_vars if name not in common)
+    for name in (name for name in own if dataset[name].ndim):
         values = np.abs(np.atleast_2d(np.asarray(dataset[name].values, float)))
         peak = extreme(values, table.ok)
         if peak is not None:
             about = dataset[name].attrs
             note = table.where(peak)
             yield Row(f"{name}_max", f"Largest {about['long_name']}", float(values[peak]), str(about["units"]), note)
+    for name in (str(name) for name in dataset.data_vars if dataset[name].ndim == 0):
+        value, about = float(dataset[name].values), dataset[name].attrs
+        label = str(about["long_name"])
+        note = str(about.get("comment", ""))
+        yield Row(
+            name, label[:1].upper() + label[1:], value if math.isfinite(value) else None, str(about["units"]), note
+        )
 
 
 def _validity_rows(table: MapTable) -> Iterator[Row]:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-from importlib.metadata import PackageNotFoundError, version
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,16 +9,11 @@ from numpy.typing import ArrayLike
 
 from varistiff.actuators.actuator import Actuator
 from varistiff.characteristic.evaluate import Points, Progress, evaluate
+from varistiff.characteristic.provenance import provenance
 from varistiff.core.status import Status
 
 if TYPE_CHECKING:
     import xarray as xr
-
-SIGN_CONVENTION = (
-    "deflection = drive angle minus link angle (the spring's stretch); load = dV/d(deflection) acts on the link in its "
-    "positive direction and back on the drive; adjusting load = dV/d(setting) > 0: the stiffness drive must push in "
-    "the positive direction of the setting to hold it; stiffness is the tangent stiffness d2V/d(deflection)2"
-)
 
 
 def characteristic_map(
@@ -43,7 +36,8 @@ def characteristic_map(
     Returns
     -------
     Dataset with dimensions (setting, deflection), or (deflection,) for a kind without a setting: status as CF flags,
-    energy, torque or force, stiffness, adjusting_force or adjusting_torque, stress, and the kind's details.
+    energy, torque or force, stiffness, adjusting_force or adjusting_torque, stress, the kind's details, and the
+    actuator's constants as variables without a dimension.
     """
     import xarray as xr
 
@@ -69,8 +63,13 @@ def characteristic_map(
             s,
             _about("setting of the stiffness drive", str(actuator.setting_unit)),
         )
-    variables = {name: (dims, values, about) for name, (values, about) in _variables(actuator, points).items()}
-    return xr.Dataset(variables, coords, {**_provenance(actuator), **(attrs or {})})
+    variables: dict[str, Any] = {
+        name: (dims, values, about) for name, (values, about) in _variables(actuator, points).items()
+    }
+    for name, constant in actuator.constants.items():
+        about = dict(_about(constant.long_name, constant.unit), **({"comment": constant.note} if constant.note else {}))
+        variables[name] = ((), constant.value, about)
+    return xr.Dataset(variables, coords, {**provenance(actuator), **(attrs or {})})
 
 
 def load_name(actuator: Actuator) -> str:
@@ -111,23 +110,3 @@ def _variables(actuator: Actuator, points: Points) -> dict[str, tuple[np.ndarray
         quantity = actuator.details[name]
         variables[name] = (values, dict(_about(quantity.long_name, quantity.unit)))
     return variables
-
-
-def _provenance(actuator: Actuator) -> dict[str, Any]:
-    strength = actuator.strength
-    versions = []
-    for package in ("varistiff", "jax", "numpy", "xarray"):
-        try:
-            versions.append(f"{package} {version(package)}")
-        except PackageNotFoundError:
-            versions.append(f"{package} (not installed as a package)")
-    return {
-        "Conventions": "CF-1.11",
-        "kind": actuator.kind,
-        "sign_convention": SIGN_CONVENTION,
-        "versions": ", ".join(versions),
-        "varistiff_version": versions[0].removeprefix("varistiff "),
-        "references": " ".join(actuator.references),
-        "broken_assumption": actuator.broken_assumption,
-        **({} if strength is None or not math.isfinite(strength) else {"strength": float(strength)}),
-    }

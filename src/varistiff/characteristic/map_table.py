@@ -71,6 +71,11 @@ class MapTable:
         return np.asarray(self.status == Status.OK)
 
     @property
+    def unbounded(self) -> bool:
+        """Whether ok points have an infinite stress: one that the ideal shape does not bound."""
+        return self.stress is not None and bool(np.isinf(self.stress[self.ok]).any())
+
+    @property
     def rest(self) -> int:
         """Column of the deflection nearest to zero."""
         return int(np.argmin(np.abs(self.deflection)))

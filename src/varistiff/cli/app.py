@@ -103,6 +103,59 @@ def evaluate(
 
 
 @app.command()
+def verify(
+    design: DesignFile,
+    setting: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--setting", metavar="VALUE", help="Setting with its unit; may be repeated. [default: 7 even ones]"
+        ),
+    ] = None,
+    deflection: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--deflection", metavar="VALUE", help="Of a device with leaves; may be repeated. [default: the largest ok]"
+        ),
+    ] = None,
+    measured: Annotated[
+        str | None,
+        typer.Option("--measured", metavar="FILE", help="CSV of a measurement: setting and stiffness (or load), SI."),
+    ] = None,
+    tolerance: Annotated[
+        float, typer.Option("--tolerance", metavar="SHARE", help="Largest change in the last refinement.")
+    ] = 0.005,
+    output: Annotated[
+        str | None,
+        typer.Option("--output", "-o", metavar="DIR", help="Directory for the results. [default: DESIGN_verification]"),
+    ] = None,
+    step: Annotated[
+        str | None,
+        typer.Option("--step", metavar="FILE", help="Write the elastic element as STEP, and compute nothing."),
+    ] = None,
+    materials: MaterialsFile = None,
+) -> None:
+    """Check a design in three dimensions; needs the extra fe."""
+    from varistiff.cli.verification import report_verification, write_element
+    from varistiff.design.design import load
+
+    loaded = load(design, materials=materials)
+    if step is not None:
+        _refuse_overwriting(step, {"the design": design})
+        write_element(loaded, step)
+        return
+    directory = output if output is not None else f"{Path(design).stem}_verification"
+    report_verification(
+        loaded,
+        directory,
+        settings=setting or [],
+        deflections=deflection or [],
+        measured=measured,
+        tolerance=tolerance,
+    )
+    print(f"Results are in {directory}")
+
+
+@app.command()
 def validate(
     designs: Annotated[list[str], typer.Argument(metavar="DESIGN...", help="Design files.", show_default=False)],
     materials: MaterialsFile = None,

@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 
 from varistiff.core.errors import InputError
 from varistiff.design.fields import Length, NonNegativeLength, Part, PositiveLength, wrong
-from varistiff.sections.limits import check_p3g, check_splined_tube, p4c_cut
+from varistiff.sections.limits import check_ellipse, check_p3g, check_splined_tube, p4c_cut
 
 Rails = Annotated[int, Field(ge=1, le=1000, strict=True)]
 Point = Annotated[list[Length], Field(min_length=2, max_length=2, description="[x, y]")]
@@ -75,8 +75,7 @@ class EllipseSpec(Part):
 
     @model_validator(mode="after")
     def _ordered(self) -> EllipseSpec:
-        if self.semi_minor > self.semi_major:
-            raise wrong("is above semi_major; allowed is semi_minor <= semi_major", field="semi_minor")
+        _checked(check_ellipse, self.model_dump(exclude={"shape"}))
         return self
 
 

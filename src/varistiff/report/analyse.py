@@ -11,10 +11,9 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from varistiff.core.errors import InputError
 from varistiff.core.status import Status
-from varistiff.core.textfile import printable_path
 from varistiff.core.writing import staged_directory
+from varistiff.report.replaceable import FIGURES, check_replaceable
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -25,7 +24,6 @@ if TYPE_CHECKING:
 
 MARKERS = ("map.nc", "datasheet.json", "report.html")  # a directory with all of them is a result of ours
 FILES = (*MARKERS, "datasheet.csv")
-FIGURES = "figures"
 
 
 @dataclass(frozen=True)
@@ -77,14 +75,14 @@ def analyse(design: Design, output: str | os.PathLike[str], *, progress: bool = 
 
 
 def _write_figures(design: Design, dataset: xr.Dataset, folder: Path, tell: _Tell) -> list[Picture]:
-    from varistiff.report.figures import draw_all
+    from varistiff.report.figures import draw_all, section_stress
     from varistiff.report.html import Picture
     from varistiff.report.mechanism import draw_mechanism
 
     folder.mkdir()
     pictures = []
-    mechanism = draw_mechanism(design.actuator, dataset)
-    for drawing in ([mechanism] if mechanism else []) + list(draw_all(dataset)):
+    own = (draw_mechanism(design.actuator, dataset), section_stress.draw(design.actuator, dataset))
+    for drawing in [*(drawing for drawing in own if drawing is not None), *draw_all(dataset)]:
         tell(f"figure {drawing.name}")
         svg = drawing.svg()
         (folder / f"{drawing.name}.svg").write_text(svg, encoding="utf-8")
@@ -131,29 +129,7 @@ def _summary(design: Design, sheet: Datasheet) -> tuple[str, ...]:
 
 
 def _check_replaceable(output: str | os.PathLike[str]) -> None:
-    """Refuse a directory with anything in it that an analysis did not write."""
-    target, shown = Path(output), printable_path(os.fspath(output))
-    if not target.is_dir():
-        return  # missing, or a file: writing says what is wrong with it
-    try:
-        entries = {entry.name: entry for entry in target.iterdir()}
-        foreign = sorted(name for name, entry in entries.items() if not _ours(entry))
-    except OSError as error:
-        raise InputError(f"cannot be read: {error.strerror}; choose another --output", file=shown) from None
-    if not entries:
-        return
-    if foreign or not all(name in entries for name in MARKERS):
-        what = f"holds {foreign[0]!r}, which" if foreign else "is not empty and holds no earlier result that"
-        raise InputError(
-            f"{what} an analysis would not replace; allowed is a new or empty directory, or an earlier result",
-            file=shown,
-        )
-
-
-def _ours(entry: Path) -> bool:
-    if entry.name == FIGURES and entry.is_dir() and not entry.is_symlink():
-        return all(part.suffix in (".svg", ".png") and part.is_file() for part in entry.iterdir())
-    return entry.name in FILES and entry.is_file()
+    check_replaceable(output, markers=MARKERS, files=FILES)
 
 
 class _Tell:

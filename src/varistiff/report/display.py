@@ -26,6 +26,9 @@ _DOT = "\N{MIDDLE DOT}"
 _CHOICES: dict[str, tuple[tuple[float, float, str], ...]] = {
     "rad": ((math.inf, 180.0 / math.pi, "deg"),),
     "m": ((math.inf, 1e3, "mm"),),
+    "m^2": ((math.inf, 1e6, "mm²"),),
+    "m^3": ((math.inf, 1e9, "mm³"),),
+    "m^4": ((math.inf, 1e12, "mm⁴"),),
     "Pa": ((math.inf, 1e-6, "MPa"),),
     "J": ((0.2, 1e3, "mJ"), (1e4, 1.0, "J"), (math.inf, 1e-3, "kJ")),
     "N": ((0.02, 1e3, "mN"), (1e4, 1.0, "N"), (math.inf, 1e-3, "kN")),

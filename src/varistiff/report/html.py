@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from importlib import resources
 from typing import Any
 
 import xarray as xr
-from jinja2 import Environment
+from jinja2 import Environment, PackageLoader
 from markupsafe import Markup, escape
 
-from varistiff.characteristic.datasheet import Datasheet, Limit, Row
+from varistiff.characteristic.datasheet import UNBOUNDED_STRESS, Datasheet, Limit, Row
 from varistiff.core.citations import citation
 from varistiff.core.errors import InputError
 from varistiff.report.display import MISSING, display, number
@@ -71,7 +70,7 @@ def render_report(
     path : design file, as the user wrote it
     """
     view = View.of(dataset)
-    embedded = [_embedded(picture) for picture in pictures]
+    shown = [embedded(picture) for picture in pictures]
     attrs = dataset.attrs
     context = {
         "name": sheet.name or "Unnamed design",
@@ -79,8 +78,8 @@ def render_report(
         "summary": one_line(sheet),
         "warnings": list(warnings),
         "tiles": [_shown(row, short=True) for row in _key_rows(sheet)],
-        "mechanism": next((picture for picture in embedded if picture["name"] == "mechanism"), None),
-        "figures": [picture for picture in embedded if picture["name"] != "mechanism"],
+        "mechanism": next((picture for picture in shown if picture["name"] == "mechanism"), None),
+        "figures": [picture for picture in shown if picture["name"] != "mechanism"],
         "groups": [{"title": group.title, "rows": [_shown(row) for row in group.rows]} for group in sheet.groups],
         "setting_name": None if view.setting is None else view.setting_name,
         "load_name": view.load_name.capitalize(),
@@ -106,9 +105,14 @@ def render_report(
         "design_text": attrs.get("design", ""),
         "path": path,
     }
-    template = resources.files("varistiff.report").joinpath("templates/report.html.j2").read_text(encoding="utf-8")
-    environment = Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True)
-    return environment.from_string(template).render(context)
+    return filled("report.html.j2", context)
+
+
+def filled(template: str, context: Mapping[str, Any]) -> str:
+    """Fill one of the templates; everything in ``context`` that is not Markup is escaped."""
+    loader = PackageLoader("varistiff.report", "templates")
+    environment = Environment(loader=loader, autoescape=True, trim_blocks=True, lstrip_blocks=True)
+    return environment.get_template(template).render(context)
 
 
 def one_line(sheet: Datasheet) -> str:
@@ -132,7 +136,11 @@ def one_line(sheet: Datasheet) -> str:
         parts.append(f"deflection up to {display(reach.unit).text(reach.value)}")
     good = next((entry.fraction for entry in sheet.statuses if entry.status == 0), 0.0)
     text = "; ".join(parts) or "No point of the map is ok"
-    return f"{text[:1].upper()}{text[1:]}. {100.0 * good:.3g} % of the map is ok."
+    line = f"{text[:1].upper()}{text[1:]}. {100.0 * good:.3g} % of the map is ok."
+    stress = keys.get("stress_peak")
+    if stress is not None and stress.note == UNBOUNDED_STRESS:
+        line += f" {UNBOUNDED_STRESS[:1].upper()}{UNBOUNDED_STRESS[1:]}."
+    return line
 
 
 def _key_rows(sheet: Datasheet) -> Iterator[Row]:
@@ -192,7 +200,7 @@ def _source(key: str) -> dict[str, str]:
     return {"text": str(found).removesuffix(link).strip(), "link": link}
 
 
-def _embedded(picture: Picture) -> dict[str, Any]:
+def embedded(picture: Picture) -> dict[str, Any]:
     """Make the ids of a picture its own, so that several can share a page, and name it for screen readers."""
     svg = re.sub(r'\bid="([^"]+)"', rf'id="{picture.name}-\1"', picture.svg)
     svg = re.sub(r'href="#([^"]+)"', rf'href="#{picture.name}-\1"', svg)

@@ -90,6 +90,12 @@ class View:
         return value if math.isfinite(value) and value > 0.0 else None
 
     @property
+    def unbounded_stress(self) -> bool:
+        """Whether ok points have an infinite stress: one that the ideal shape does not bound."""
+        stress = np.atleast_2d(np.asarray(self.dataset["stress"].values, float))
+        return bool(np.isinf(stress[self.ok]).any())
+
+    @property
     def deflection_display(self) -> Display:
         """Unit that deflections are shown in."""
         return display(str(self.dataset["deflection"].attrs.get("units", "rad")))

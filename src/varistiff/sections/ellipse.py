@@ -7,6 +7,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from varistiff.sections.limits import check_ellipse
 from varistiff.sections.outline import Curve, Outline, Points
 from varistiff.sections.properties import SectionProperties
 from varistiff.sections.section import Section, centred
@@ -25,6 +26,9 @@ class Ellipse(Section):
 
     semi_major: float
     semi_minor: float
+
+    def __check_init__(self) -> None:
+        check_ellipse(semi_major=self.semi_major, semi_minor=self.semi_minor)
 
     def outline(self) -> Outline:
         """A quarter of the ellipse, by its eccentric angle."""

@@ -8,6 +8,17 @@ from collections.abc import Callable
 from varistiff.core.errors import InputError
 
 
+def check_ellipse(*, semi_major: float, semi_minor: float) -> None:
+    """Refuse an ellipse whose names are swapped.
+
+    Raises
+    ------
+    InputError : the minor semi-axis is the longer one
+    """
+    if semi_minor > semi_major:
+        raise InputError("is above semi_major; allowed is semi_minor <= semi_major", field="semi_minor")
+
+
 def check_p3g(*, mean_diameter: float, eccentricity: float) -> None:
     """Refuse a P3G whose curvature radius Dm/2 - 8 e is not above zero.
 

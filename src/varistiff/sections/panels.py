@@ -16,8 +16,10 @@ from varistiff.sections.outline import Image, Outline, Points, Segment
 
 GRADING = 3.0  # ratio of neighbouring panels towards a corner
 TURN = math.pi / 3.0  # largest change of direction along one panel
+PACE = 2.0  # largest ratio of speeds along one panel
 SEPARATION = 1.7  # largest panel length over the distance to the rest of the boundary
 SMOOTH = 1e-3  # a corner flatter than this [rad] is a tangent joint, which drawings round to 1e-6 of a length
+SAMPLES = np.array([0.0, 0.07, 0.25, 0.5, 0.75, 0.93, 1.0])  # of a panel, to see what is near it
 NODES_MAX = 6000  # a dense matrix of 290 MB
 
 
@@ -102,7 +104,7 @@ def place_nodes(outline: Outline, *, order: int, tolerance: float) -> Nodes:
     segments, ends, corners = _segments_and_corners(outline)
     size = _size(outline)
     breaks = [_breaks(segment, pair, tolerance, size) for segment, pair in zip(segments, ends, strict=True)]
-    breaks = _separated(outline, segments, breaks, NODES_MAX // order)
+    breaks = _separated(outline, segments, breaks, _Rest(corners, size, tolerance, NODES_MAX // order))
     t, w = gauss(order)
     parameters, position, tangent, weight = [], [], [], []
     for segment, marks in zip(segments, breaks, strict=True):
@@ -162,16 +164,37 @@ def _interior_angle(one: Segment, two: Segment) -> float:
 
 
 def _breaks(segment: Segment, angles: tuple[float, float], tolerance: float, size: float) -> NDArray[np.float64]:
-    """Panel ends along one segment: short turns, and geometric grading to both ends."""
-    fine = segment.velocity(np.linspace(0.0, 1.0, 129))
-    turns = np.abs(np.diff(np.unwrap(np.arctan2(fine[:, 1], fine[:, 0])))).sum()
-    count = max(1, math.ceil(float(turns) / TURN))
-    share = float(np.hypot(*fine.T).mean()) / size
+    """Panel ends along one segment: short turns at an even pace, and geometric grading to both ends."""
+    share = _lengths(segment, np.array([0.0, 1.0]))[0] / size
     first, last = (GRADING ** -np.arange(_levels(angle, tolerance, share), 0.0, -1.0) for angle in angles)
-    if count == 1 and (first.size or last.size):
-        count = 2
+    count = 2 if first.size or last.size else 1
     marks = np.linspace(0.0, 1.0, count + 1)
-    return np.concatenate([[0.0], first / count, marks[1:-1], 1.0 - last[::-1] / count, [1.0]])
+    marks = np.concatenate([[0.0], first / count, marks[1:-1], 1.0 - last[::-1] / count, [1.0]])
+    for _ in range(40):
+        uneven = _uneven(segment, marks)
+        if not uneven.any():
+            break
+        marks = np.sort(np.concatenate([marks, (0.5 * (marks[:-1] + marks[1:]))[uneven]]))
+    return marks
+
+
+def _inside(marks: NDArray[np.float64], count: int) -> NDArray[np.float64]:
+    return (marks[:-1, None] + np.diff(marks)[:, None] * np.linspace(0.0, 1.0, count)).ravel()
+
+
+def _uneven(segment: Segment, marks: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Which panels turn too far, or run at too uneven a pace for their polynomial."""
+    velocity = segment.velocity(_inside(marks, 17)).reshape(-1, 17, 2)
+    speed = np.hypot(velocity[..., 0], velocity[..., 1])
+    angle = np.unwrap(np.arctan2(velocity[..., 1], velocity[..., 0]), axis=1)
+    turn = np.abs(np.diff(angle, axis=1)).sum(axis=1)
+    found: NDArray[np.bool_] = (turn > TURN) | (speed.max(axis=1) > PACE * speed.min(axis=1))
+    return found
+
+
+def _lengths(segment: Segment, marks: NDArray[np.float64]) -> NDArray[np.float64]:
+    points = segment.point(_inside(marks, 9)).reshape(-1, 9, 2)
+    return np.hypot(*np.diff(points, axis=1).transpose(2, 0, 1)).sum(axis=1)
 
 
 def _levels(angle: float, tolerance: float, share: float) -> int:
@@ -187,14 +210,34 @@ def _levels(angle: float, tolerance: float, share: float) -> int:
     return max(0, math.ceil(math.log(energy / tolerance) / (exponent * math.log(GRADING))))
 
 
+class _Rest(NamedTuple):
+    """When splitting ends: at ``limit`` panels, and so near to a convex corner that what is there does not count."""
+
+    corners: tuple[Corner, ...]
+    size: float
+    tolerance: float
+    limit: int
+
+    def spared(self, outline: Outline, samples: Points) -> NDArray[np.bool_]:
+        """Which panels lie, whole, where the share of the energy is below the tolerance; samples of shape (n, m, 2)."""
+        found = np.zeros(len(samples), dtype=bool)
+        for corner in self.corners:
+            if not corner.is_reentrant:
+                reach = self.size * self.tolerance ** (corner.interior_angle / (2.0 * math.pi))
+                point = np.array([corner.point])
+                for placed in images(outline, point, point):
+                    found |= np.hypot(*(samples - placed.position[0]).transpose(2, 0, 1)).max(axis=1) < reach
+        return found
+
+
 def _separated(
-    outline: Outline, segments: list[Segment], breaks: list[NDArray[np.float64]], limit: int
+    outline: Outline, segments: list[Segment], breaks: list[NDArray[np.float64]], rest: _Rest
 ) -> list[NDArray[np.float64]]:
     """Split panels until none is long beside its distance to the parts of the boundary that it does not touch."""
     for _ in range(60):
-        if sum(marks.size - 1 for marks in breaks) > limit:
+        if sum(marks.size - 1 for marks in breaks) > rest.limit:
             break
-        split = _too_long(outline, segments, breaks)
+        split = _too_long(outline, segments, breaks, rest)
         if not any(mask.any() for mask in split):
             return breaks
         breaks = [
@@ -207,35 +250,41 @@ def _separated(
     )
 
 
-def _too_long(outline: Outline, segments: list[Segment], breaks: list[NDArray[np.float64]]) -> list[NDArray[np.bool_]]:
-    share = np.array([0.0, 0.07, 0.25, 0.5, 0.75, 0.93, 1.0])
-    at = [(marks[:-1, None] + np.diff(marks)[:, None] * share).ravel() for marks in breaks]
+def _too_long(
+    outline: Outline, segments: list[Segment], breaks: list[NDArray[np.float64]], rest: _Rest
+) -> list[NDArray[np.bool_]]:
+    at = [(marks[:-1, None] + np.diff(marks)[:, None] * SAMPLES).ravel() for marks in breaks]
     points = np.concatenate([segment.point(t) for segment, t in zip(segments, at, strict=True)])
     tangents = np.concatenate([segment.velocity(t) for segment, t in zip(segments, at, strict=True)])
     tangents /= np.hypot(*tangents.T)[:, None]
-    shape = (-1, share.size, 2)
+    shape = (-1, SAMPLES.size, 2)
     samples = points.reshape(shape)
     length = np.hypot(*np.diff(samples, axis=1).transpose(2, 0, 1)).sum(axis=1)
-    nearest = np.full(length.size, np.inf)
+    long = np.zeros(length.size, dtype=bool)
     for placed in images(outline, points, tangents):
         source, tangent = placed.position.reshape(shape), placed.tangent.reshape(shape)
-        nearest = np.minimum(nearest, _reach(samples, source, tangent, 1e-9 * float(length.max())).min(axis=0))
-    long = length > SEPARATION * nearest
+        # the middles tell which pairs can be near enough at all
+        middle = samples[:, None, SAMPLES.size // 2] - source[None, :, SAMPLES.size // 2]
+        gap = np.hypot(middle[..., 0], middle[..., 1]) - 0.5 * (length[:, None] + length)
+        targets, sources = np.nonzero(length > SEPARATION * gap)
+        reach = _reach(samples[targets], source[sources], tangent[sources], 1e-9 * float(length.max()))
+        long[sources[length[sources] > SEPARATION * reach]] = True
+    long &= ~rest.spared(outline, samples)
     cuts = np.cumsum([marks.size - 1 for marks in breaks])[:-1]
     return list(np.split(long, cuts))
 
 
 def _reach(target: Points, source: Points, tangent: Points, touching: float) -> NDArray[np.float64]:
-    """How far each source panel's kernel is from singular at each target panel, shape (targets, sources) [m].
+    """How far each source panel's kernel is from singular at its target panel; samples (n, m, 2), result (n,) [m].
 
     It is |d|^2/|d.n|: the distance itself across a gap, the diameter of curvature along one smooth curve.
     """
-    dx, dy = (source[None, :, None, :, axis] - target[:, None, :, None, axis] for axis in (0, 1))
+    dx, dy = (source[:, None, :, axis] - target[:, :, None, axis] for axis in (0, 1))
     square = dx * dx + dy * dy
-    across = np.abs(dx * tangent[None, :, None, :, 1] - dy * tangent[None, :, None, :, 0])
+    across = np.abs(dx * tangent[:, None, :, 1] - dy * tangent[:, None, :, 0])
     # panels that share an end meet at a joint: the grading there deals with them
-    meet = square[:, :, [0, 0, -1, -1], [0, -1, 0, -1]].min(axis=2) < touching**2
+    meet = square[:, [0, 0, -1, -1], [0, -1, 0, -1]].min(axis=1) < touching**2
     with np.errstate(divide="ignore", invalid="ignore"):
         reach = np.where(across > 1e-12 * np.sqrt(square), square / across, np.inf)
-    found: NDArray[np.float64] = np.where(meet, np.inf, reach.min(axis=(2, 3)))
+    found: NDArray[np.float64] = np.where(meet, np.inf, reach.min(axis=(1, 2)))
     return found

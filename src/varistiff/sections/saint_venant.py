@@ -61,19 +61,23 @@ class SaintVenant:
         return self.nodes.corners
 
 
-def solve_torsion(outline: Outline, *, order: int = ORDER, tolerance: float = TOLERANCE) -> SaintVenant:
+def solve_torsion(
+    outline: Outline, *, order: int = ORDER, tolerance: float = TOLERANCE, nodes: Nodes | None = None
+) -> SaintVenant:
     """Solve Saint-Venant torsion of an outline.
 
     Parameters
     ----------
     order : nodes a panel
     tolerance : share of J that the grading to corners may cost
+    nodes : the outline's nodes where they are already placed, in place of order and tolerance
 
     Raises
     ------
     InputError : the boundary comes too close to itself
     """
-    nodes = place_nodes(outline, order=order, tolerance=tolerance)
+    if nodes is None:
+        nodes = place_nodes(outline, order=order, tolerance=tolerance)
     area, centroid = _area_and_centroid(outline, nodes)
     nodes = nodes._replace(position=nodes.position - centroid)
     moments = _second_moments(outline, nodes)

@@ -6,7 +6,7 @@ import numpy as np
 
 from varistiff.core.errors import InputError
 from varistiff.sections.outline import Outline, Points
-from varistiff.sections.panels import gauss, images, place_nodes
+from varistiff.sections.panels import Nodes, gauss, images, place_nodes
 from varistiff.sections.properties import SectionProperties
 from varistiff.sections.saint_venant import SaintVenant, Values, solve_torsion
 
@@ -24,8 +24,8 @@ def solved_properties(outline: Outline) -> SectionProperties:
     ------
     InputError : walls or gaps too thin, or too many corners
     """
-    rung = _rung(outline)
-    fine = solve_torsion(outline, order=RUNGS[rung][0], tolerance=RUNGS[rung][1])
+    rung, nodes = _rung(outline)
+    fine = solve_torsion(outline, order=RUNGS[rung][0], tolerance=RUNGS[rung][1], nodes=nodes)
     coarse = solve_torsion(outline, order=RUNGS[rung + 1][0], tolerance=RUNGS[rung + 1][1])
     peak, places = largest_stress(fine)
     return SectionProperties(
@@ -41,16 +41,16 @@ def solved_properties(outline: Outline) -> SectionProperties:
     )
 
 
-def _rung(outline: Outline) -> int:
-    """The finest rung whose boundary has few enough nodes, or else the coarsest."""
+def _rung(outline: Outline) -> tuple[int, Nodes | None]:
+    """The finest rung whose boundary has few enough nodes, with them, or else the coarsest."""
     for number, (order, tolerance) in enumerate(RUNGS[:-1]):
         try:
             nodes = place_nodes(outline, order=order, tolerance=tolerance)
         except InputError:
             continue
         if nodes.weight.size <= QUICK:
-            return number
-    return len(RUNGS) - 2
+            return number, nodes
+    return len(RUNGS) - 2, None
 
 
 def largest_stress(solution: SaintVenant) -> tuple[float, Points]:
@@ -85,7 +85,7 @@ def interpolation(nodes: Values, at: Values) -> Values:
 
 
 def _distinct(points: Points) -> Points:
-    size = float(np.abs(points).max())
+    size = float(np.abs(points).max()) or 1.0
     _, first = np.unique(np.round(points / (1e-6 * size)), axis=0, return_index=True)
     kept: Points = points[np.sort(first)]
     return kept

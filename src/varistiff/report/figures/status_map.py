@@ -39,6 +39,8 @@ def draw(dataset: xr.Dataset) -> Drawing | None:
         status_legend(figure, view.statuses)
     shares = [f"{LOOKS[status].name} {100.0 * (view.status == status).mean():.3g} %" for status in view.statuses]
     caption = "Status of every point of the map: " + ", ".join(shares) + "."
+    if view.unbounded_stress:
+        caption += " The ideal stress is unbounded at a sharp corner of the section, so no point can count as yielded."
     return Drawing("status", TITLE, figure, caption)
 
 

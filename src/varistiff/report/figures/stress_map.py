@@ -16,8 +16,10 @@ TITLE = "Stress and safe working area"
 
 
 def draw(dataset: xr.Dataset) -> Drawing | None:
-    """Draw the largest stress; None where the kind has none."""
+    """Draw the largest stress; None where the kind has none, or one without a bound, which no colour shows."""
     view = View.of(dataset)
+    if view.unbounded_stress:
+        return None
     stress = view.field("stress", "Largest stress")
     if stress is None:
         return None

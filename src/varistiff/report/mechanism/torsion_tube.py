@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import math
 
+import jax.numpy as jnp
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path
 
 from varistiff.actuators.torsion_tube import TorsionTube
+from varistiff.report.mechanism.element_view import Edges, edges_of, evenly_spread, seen_from_the_side, silhouette
 from varistiff.report.mechanism.sheet import (
     MM,
+    REST,
     Bounds,
     Pose,
     axis_line,
@@ -19,12 +24,16 @@ from varistiff.report.mechanism.sheet import (
     legend,
     panels,
     poses_at,
+    rotation,
     wall,
 )
+from varistiff.report.section_path import section_loops, section_path
 from varistiff.report.style import BLUE, INK, METAL_LIGHT, SOFT, Drawing, styled
-from varistiff.report.view import View
+from varistiff.report.view import Array, View
 
-GENERATORS = 24  # lines along the element that show its twist
+STATIONS = 161  # along the element
+BEARING = 1.51  # its outer radius over the largest of the element
+ROUND = ("circle", "hollow_circle")
 
 
 def draw(actuator: TorsionTube, dataset: xr.Dataset) -> Drawing:
@@ -32,7 +41,8 @@ def draw(actuator: TorsionTube, dataset: xr.Dataset) -> Drawing:
     view = View.of(dataset)
     rows = view.some_settings(3)
     states = [poses_at(view, row) for row in rows]
-    outer, inner = _radii(actuator)
+    loops = section_loops(actuator.section)
+    outer = float(np.hypot(*loops[0].T).max())
     length = (
         actuator.length
         if math.isfinite(actuator.length)
@@ -45,77 +55,93 @@ def draw(actuator: TorsionTube, dataset: xr.Dataset) -> Drawing:
         titles = [f"Active length {view.setting_text(row)}" for row in rows]
         figure, axes = panels(bounds, len(rows), titles=titles, poses=states)
         for part, poses in zip(axes, states, strict=True):
-            _side_view(part, actuator, poses[-1], outer, length)
-            _section(part, actuator, poses, (section, 0.0), outer, inner)
+            _side_view(part, actuator, poses[-1], loops[0], length)
+            _section(part, actuator, poses, (section, 0.0), loops)
         parts = [
             ("flange, drive side", METAL_LIGHT, "wall"),
             ("elastic element", METAL_LIGHT, "patch"),
             ("counter bearing, link side", BLUE, "patch"),
         ]
         legend(figure, parts)
-    caption = (
-        "The mechanism to scale. Left: the element between its flange and the counter bearing, whose"
-        " place is the active"
-        " length; lines that are straight at rest show the twist at the end of the usable range."
-        " Right: the section at the"
-        " bearing, with the twist of the element at rest, half and whole usable deflection."
+    return Drawing("mechanism", "The mechanism to scale", figure, _caption(actuator))
+
+
+def _caption(actuator: TorsionTube) -> str:
+    lines = "lines that are straight at rest show" if actuator.section.shape in ROUND else "its edges show"
+    words = (
+        "The mechanism to scale. Left: the element between its flange and the counter bearing, whose place is the"
+        f" active length; {lines} the twist at the end of the usable range. Right: the section at the bearing, with"
+        " the twist of the element at rest, half and whole usable deflection."
     )
+    if actuator.section.shape not in ROUND:
+        words += " Element and bearing are drawn at the whole one; the thin grey outline is the section at rest."
     if math.isfinite(actuator.series_stiffness):
-        caption += " The rest of the deflection is in the drive train in series."
-    return Drawing("mechanism", "The mechanism to scale", figure, caption)
-
-
-def _radii(actuator: TorsionTube) -> tuple[float, float]:
-    """Outer and inner radius [mm]; a section without radii is drawn as the circle of its area."""
-    section = actuator.section
-    outer = getattr(section, "outer_radius", getattr(section, "radius", math.sqrt(float(section.area) / math.pi)))
-    return float(outer) * MM, float(getattr(section, "inner_radius", 0.0)) * MM
+        words += " The rest of the deflection is in the drive train in series."
+    return words
 
 
 def _twist(actuator: TorsionTube, pose: Pose) -> float:
     """Part of the deflection that twists the element itself [rad]."""
-    own = pose.setting / (actuator.shear_modulus * float(actuator.section.torsion_constant))
-    return pose.deflection * own / (own + 1.0 / actuator.series_stiffness)
+    length = float(actuator.effective_length(jnp.asarray(pose.setting)))
+    own = max(length, 0.0) / (actuator.shear_modulus * actuator.torsion_constant)
+    return pose.deflection * own / (own + 1.0 / actuator.series_stiffness) if own else 0.0
 
 
-def _side_view(axes: Axes, actuator: TorsionTube, pose: Pose, outer: float, length: float) -> None:
-    active, twist = pose.setting * MM, _twist(actuator, pose)
-    middle = np.array([length / 2.0, 0.0])
-    block(axes, middle, length, 2.0 * outer, colour=METAL_LIGHT, zorder=2.0)
+def _side_view(axes: Axes, actuator: TorsionTube, pose: Pose, outline: Array, length: float) -> None:
+    """The element seen along its section's x axis, from outside; y is up."""
+    outer = float(np.hypot(*outline.T).max())
+    active = pose.setting * MM
+    along = np.unique(np.append(np.linspace(0.0, length, STATIONS), min(active, length)))
+    turned = _twist(actuator, pose) * np.clip(along / active, 0.0, 1.0)
+    low, high = silhouette(outline, turned)
+    axes.fill_between(along, low, high, facecolor=METAL_LIGHT, edgecolor=INK, linewidth=0.8, zorder=2.0)
     wall(axes, -0.9 * outer, -1.55 * outer, 0.9 * outer, 3.1 * outer)
-    for side in (-1.0, 1.0):
-        block(axes, np.array([active, side * 1.26 * outer]), 0.5 * outer, 0.5 * outer, colour=BLUE, zorder=5.0)
+    for side, end in ((-1.0, np.interp(active, along, -low)), (1.0, np.interp(active, along, high))):
+        inside = float(end) + 0.01 * outer
+        centre = np.array([active, side * 0.5 * (BEARING * outer + inside)])
+        block(axes, centre, 0.5 * outer, BEARING * outer - inside, colour=BLUE, zorder=5.0)
     axis_line(axes, np.array([[-1.2 * outer, 0.0], [length + 0.6 * outer, 0.0]]))
-    along = np.linspace(0.0, length, 61)
-    turned = twist * np.clip(along / active, 0.0, 1.0)
-    for start in np.linspace(-math.pi, math.pi, GENERATORS, endpoint=False):
-        place = start + turned
-        seen = np.cos(place) > 0.0
-        marked = abs(start) < 1e-9
-        axes.plot(
-            along,
-            np.where(seen, outer * np.sin(place), np.nan),
-            color=pose.colour if marked else SOFT,
-            linewidth=2.6 if marked else 0.7,
-            zorder=4.0 if marked else 3.0,
-        )
+    edges = edges_of(outline)
+    smooth = edges.points.shape[0] < 3
+    _lines(axes, along, seen_from_the_side(outline, evenly_spread(outline) if smooth else edges, turned), smooth)
+    marked = seen_from_the_side(outline, Edges.facing(outline), turned)
+    axes.plot(along, marked[0], color=pose.colour, linewidth=2.6, zorder=4.0)
+
+
+def _lines(axes: Axes, along: Array, heights: Array, smooth: bool) -> None:
+    for height in heights:
+        axes.plot(along, height, color=SOFT if smooth else INK, linewidth=0.7 if smooth else 0.8, zorder=3.0)
 
 
 def _section(
-    axes: Axes,
-    actuator: TorsionTube,
-    poses: list[Pose],
-    centre: tuple[float, float],
-    outer: float,
-    inner: float,
+    axes: Axes, actuator: TorsionTube, poses: list[Pose], centre: tuple[float, float], loops: list[Array]
 ) -> None:
     middle = np.array(centre)
-    disc(axes, middle, outer, colour=METAL_LIGHT, width=1.2, zorder=3.0)
-    if inner > 0.0:
-        disc(axes, middle, inner, colour="white", width=1.2, zorder=3.1)
-    for pose in poses:
-        angle = _twist(actuator, pose)
+    outer = float(np.hypot(*loops[0].T).max())
+    angles = [_twist(actuator, pose) for pose in poses]
+    turned = angles[-1]
+    reach = 1.32
+    if actuator.section.shape not in ROUND:
+        reach = 1.66  # past the bearing
+        _bearing(axes, loops[0], middle, outer, turned)
+        rest = PathPatch(
+            section_path(loops, centre=centre), facecolor="none", edgecolor=REST, linewidth=0.9, zorder=3.5
+        )
+        axes.add_patch(rest)
+    path = section_path(loops, angle=turned, centre=centre)
+    axes.add_patch(PathPatch(path, facecolor=METAL_LIGHT, edgecolor=INK, linewidth=1.2, zorder=3.0))
+    for pose, angle in zip(poses, angles, strict=True):
         direction = np.array([math.cos(angle), math.sin(angle)])
-        line = np.stack([middle, middle + 1.32 * outer * direction])
+        line = np.stack([middle, middle + reach * outer * direction])
         axes.plot(line[:, 0], line[:, 1], color=pose.colour, linewidth=2.4, zorder=4.0)
     disc(axes, middle, 0.05 * outer, colour=INK, zorder=5.0)
+
+
+def _bearing(axes: Axes, outline: Array, middle: Array, outer: float, angle: float) -> None:
+    """A ring around the element that fits it."""
+    around = np.linspace(0.0, 2.0 * math.pi, 181)
+    ring = middle + BEARING * outer * np.stack([np.cos(around), np.sin(around)], axis=1)
+    bore = (outline @ rotation(angle).T + middle)[::-1]
+    codes = [[Path.MOVETO] + [Path.LINETO] * (len(part) - 2) + [Path.CLOSEPOLY] for part in (ring, bore)]
+    path = Path(np.concatenate([ring, bore]), np.concatenate(codes))
+    axes.add_patch(PathPatch(path, facecolor=BLUE, edgecolor=INK, linewidth=0.8, zorder=2.5))

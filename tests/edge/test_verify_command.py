@@ -1,0 +1,120 @@
+"""``varistiff verify``: one clear line for wrong input, nothing half-written, and a result that says what it is."""
+
+from __future__ import annotations
+
+import csv
+import json
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from varistiff.cli.main import main
+
+ROD = """name: Short rod
+actuator:
+  kind: torsion_tube
+  shear_modulus: 0.63 GPa
+  yield_strength: 48 MPa
+  section: {shape: circle, radius: 9 mm}
+  length: 60 mm
+  setting: {min: 20 mm, max: 40 mm}
+  deflection: {min: -5 deg, max: 5 deg}
+verification: {poissons_ratio: 0.35, bearing_length: 8 mm}
+"""
+
+
+@pytest.fixture
+def rod(tmp_path: Path) -> Path:
+    path = tmp_path / "rod.yaml"
+    path.write_text(ROD, encoding="utf-8")
+    return path
+
+
+def refused(capsys: pytest.CaptureFixture[str], arguments: list[str], output: Path) -> str:
+    before = sorted(output.parent.iterdir())
+    assert main(["verify", *arguments, "--output", str(output)]) == 2
+    said = capsys.readouterr().err.strip().splitlines()
+    assert sorted(output.parent.iterdir()) == before
+    assert len(said) == 1
+    return said[0]
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (["--setting", "51"], '--setting: "51" has no unit; allowed is a length'),
+        (["--setting", "51 N"], "--setting: "),
+        (["--setting", "70mm"], "70 mm is outside the element; allowed is 0 mm to below 60 mm"),
+        (["--setting", "-1mm"], "-1 mm is outside the element"),
+        (["--deflection", "1deg"], "--deflection: is given, but a torsion tube's stiffness"),
+        (["--tolerance", "0.5"], "--tolerance: is 0.5; allowed is from 0.0001 to 0.1"),
+        (["--tolerance", "much"], "--tolerance"),
+        (["--measured", "missing.csv"], "missing.csv: cannot be read"),
+    ],
+)
+def test_wrong_options(
+    capsys: pytest.CaptureFixture[str], rod: Path, tmp_path: Path, options: list[str], said: str
+) -> None:
+    pytest.importorskip("ngsolve")
+    assert said in refused(capsys, [str(rod), *options], tmp_path / "out")
+
+
+def test_a_measurement_with_a_text_cell(capsys: pytest.CaptureFixture[str], rod: Path, tmp_path: Path) -> None:
+    table = tmp_path / "measured.csv"
+    table.write_text("setting,stiffness\n0.02,300\n0.03,soft\n", encoding="utf-8")
+    said = refused(capsys, [str(rod), "--measured", str(table)], tmp_path / "out")
+    assert "measured.csv: row 2 (line 3), column stiffness" in said
+
+
+def test_a_kind_without_a_solid(
+    capsys: pytest.CaptureFixture[str], example: Callable[[str], str], tmp_path: Path
+) -> None:
+    path = tmp_path / "sea.yaml"
+    path.write_text(example("series_elastic"), encoding="utf-8")
+    assert "a series_elastic has no solid to check; allowed: torsion_tube" in refused(
+        capsys, [str(path)], tmp_path / "out"
+    )
+
+
+def test_the_extra_is_missing(
+    capsys: pytest.CaptureFixture[str], rod: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "ngsolve", None)
+    assert "pip install 'varistiff[fe]'" in refused(capsys, [str(rod), "--setting", "30mm"], tmp_path / "out")
+
+
+def test_a_directory_of_somebody_else(capsys: pytest.CaptureFixture[str], rod: Path, tmp_path: Path) -> None:
+    pytest.importorskip("ngsolve")
+    output = tmp_path / "mine"
+    output.mkdir()
+    (output / "thesis.txt").write_text("years of work", encoding="utf-8")
+    assert "holds 'thesis.txt'" in refused(capsys, [str(rod)], output)
+    assert (output / "thesis.txt").read_text(encoding="utf-8") == "years of work"
+
+
+def test_a_rod_is_checked(
+    capsys: pytest.CaptureFixture[str], rod: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pytest.importorskip("ngsolve")
+    monkeypatch.setenv("VARISTIFF_CACHE", "off")
+    table, output = tmp_path / "measured.csv", tmp_path / "out"
+    table.write_text("setting,stiffness\n0.03,210\n", encoding="utf-8")
+    arguments = ["verify", str(rod), "--setting", "30mm", "--measured", str(table), "-o", str(output)]
+    assert main(arguments) == 0
+    said = capsys.readouterr()
+    assert "section theory" in said.out
+    rows = list(csv.DictReader((output / "comparison.csv").read_text(encoding="utf-8").splitlines()))
+    found = {row["method"]: float(row["stiffness"]) for row in rows}
+    # a circle does not warp: a rigid end flange twists it exactly as the formula says, to the solid's 0.5 %
+    assert found["end_flange_free"] == pytest.approx(found["section_theory"], rel=0.005)
+    assert found["measured"] == 210.0
+    about = json.loads((output / "comparison.json").read_text(encoding="utf-8"))["about"]
+    assert about["design"] == ROD
+    assert len(about["design_hash"]) == 64
+    assert "ngsolve" in about["versions"]
+    page = (output / "report.html").read_text(encoding="utf-8")
+    assert "Short rod" in page
+    assert "Provenance" in page
+    assert (output / "figures" / "comparison.svg").exists()

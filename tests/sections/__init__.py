@@ -1,0 +1,1 @@
+"""Cross-sections against published numbers, exact solutions, other methods and laws."""

@@ -1,0 +1,1 @@
+"""Values that the project's own solver had no part in."""
