@@ -26,6 +26,7 @@ PARTS = {  # heading, and what a table calls it
     "SplinedTubeSpec": ("`section`: splined_tube", "splined tube"),
     "PolygonSpec": ("`section`: polygon", "polygon"),
     "EndModelSpec": ("The `end_model` of a torsion tube", "end model"),
+    "VerificationSpec": ("The `verification` of a design", "verification"),
     "LeafSpec": ("The `leaf` of antagonistic leaves", "leaf"),
     "CountedLeafSpec": ("The `leaf` of a slider leaf joint", "leaf"),
     "GrooveSpec": ("The `groove` of a slider leaf joint", "groove"),
@@ -85,6 +86,9 @@ def written(entry: Schema, parts: Schema) -> str:
         return " or ".join(f"`{value}`" for value in entry["enum"])
     if entry.get("examples"):
         return f"`{entry['examples'][0]}`"
+    if entry.get("type") == "array":
+        inside = written(entry["items"], parts)
+        return "`[x, y]`" if entry["items"].get("type") == "string" else f"list of {inside}"
     return {"string": "text", "integer": "whole number"}.get(entry.get("type", ""), entry.get("type", ""))
 
 

@@ -11,11 +11,13 @@ ENTRY = re.compile(r"^(\w[\w*, ]*?) : (.+)$")
 
 def prepare(_app: Any, _what: str, _name: str, _obj: Any, _options: Any, lines: list[str]) -> None:
     """Put the words of ``name : words`` below the name, and keep |x| and *.png from being markup."""
-    section, ready = "", []
+    section, literal, ready = "", False, []
     for index, line in enumerate(lines):
         if index + 1 < len(lines) and line and set(lines[index + 1]) == {"-"}:
             section = line
-        if not line.startswith(" "):  # deeper lines are literal, or continue an entry
+        if line and not line.startswith(" "):
+            literal = line.endswith("::")
+        if not literal or not line.startswith(" "):
             line = line.replace("|", r"\|").replace("*.", r"\*.")
         entry = ENTRY.match(line) if section in SECTIONS else None
         ready += [entry[1], f"    {entry[2]}"] if entry else [line]

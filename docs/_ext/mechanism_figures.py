@@ -1,4 +1,4 @@
-"""Draw the mechanisms of the theory pages before Sphinx reads them."""
+"""Draw the figures of the theory pages before Sphinx reads them."""
 
 from __future__ import annotations
 
@@ -8,17 +8,18 @@ from pathlib import Path
 from typing import Any
 
 DEVICES = ("roller_beam", "torsion_tube", "antagonistic_leaves", "slider_leaf_joint", "maccepa")
+COMPUTED = ("torsion_radius", "torsion_lengths", "torsion_stress", "torsion_fillet")
 
 
 def draw_all(app: Any) -> None:
-    """Write one SVG per device into figures/generated."""
+    """Write one SVG per device and per computed figure into figures/generated."""
     figures = Path(app.srcdir) / "figures"
     generated = figures / "generated"
     generated.mkdir(exist_ok=True)
     sys.path.insert(0, str(figures))
-    for device in DEVICES:
-        figure = importlib.import_module(device).draw()
-        figure.savefig(generated / f"{device}.svg", metadata={"Date": None})
+    for name in (*DEVICES, *COMPUTED):
+        figure = importlib.import_module(name).draw()
+        figure.savefig(generated / f"{name}.svg", metadata={"Date": None})
 
 
 def setup(app: Any) -> dict[str, Any]:

@@ -23,11 +23,11 @@ EXAMPLES: dict[str, Section] = {
         inner_diameter=0.021, outer_diameter=0.025, eccentricity=0.0035
     ),
     "hollow circle, 11 and 8.7 mm": HollowCircle(outer_radius=0.011, inner_radius=0.0087),
-    "the same with six rails of 4 mm by 2.5 mm, fillet 0.5 mm": SplinedTube(
-        outer_radius=0.011, inner_radius=0.0087, rails=6, rail_width=0.004, rail_height=0.0025, root_fillet=0.0005
+    "the same with six rails of 7 mm by 2.25 mm, fillet 0.5 mm": SplinedTube(
+        outer_radius=0.011, inner_radius=0.0087, rails=6, rail_width=0.007, rail_height=0.00225, root_fillet=0.0005
     ),
     "the same with a fillet of 0 mm": SplinedTube(
-        outer_radius=0.011, inner_radius=0.0087, rails=6, rail_width=0.004, rail_height=0.0025, root_fillet=0.0
+        outer_radius=0.011, inner_radius=0.0087, rails=6, rail_width=0.007, rail_height=0.00225, root_fillet=0.0
     ),
 }
 
@@ -122,7 +122,11 @@ def stress_ratios() -> str:
     readings = [
         ("printed dimensions and factors, circle solid", full * RADIUS**3, rounded),
         ("printed dimensions and factors, circle hollow", open_ * RADIUS**3, rounded),
-        (f"computed, circle hollow, $R$ = {1e3 * hollow:.2f} mm: every section equally stiff", open_ * hollow**3, exact),
+        (
+            f"computed, circle hollow, $R$ = {1e3 * hollow:.2f} mm: every section equally stiff",
+            open_ * hollow**3,
+            exact,
+        ),
         (f"computed, circle solid, $R$ = {1e3 * solid:.2f} mm: every section equally stiff", full * solid**3, exact),
         (f"computed, solid circle of the hollow one's $R$ = {1e3 * hollow:.2f} mm", full * hollow**3, exact),
     ]

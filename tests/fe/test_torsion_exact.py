@@ -48,7 +48,7 @@ def test_round_bar_is_exact(section: Any, torsion_constant: float) -> None:
 @pytest.mark.parametrize(
     "section, torsion_constant",
     [
-        # Saint-Venant, e.g. Timoshenko & Goodier, section 109: k_1 = 0.1406 (1:1), 0.229 (2:1), four digits from the series
+        # Saint-Venant, e.g. Timoshenko & Goodier, section 109: k_1 = 0.1406 (1:1), 0.229 (2:1); more digits: its series
         (Square(across_flats=0.01), 0.140577 * 0.01**4),
         (Rectangle(width=0.02, height=0.01), 0.228682 * 0.02 * 0.01**3),
     ],

@@ -14,6 +14,7 @@ from varistiff.core.errors import InputError
 if TYPE_CHECKING:
     from varistiff.design.design import Design
     from varistiff.fe.comparison import Floats
+    from varistiff.fe.end_fit import EndFit
     from varistiff.report.verify import Verification
 
 TOLERANCE = (1e-4, 0.1)  # allowed from, to
@@ -115,18 +116,16 @@ def _lines(found: Verification) -> Iterator[str]:
         yield "  ".join(cell.rjust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
     yield from found.comparison.remarks
     yield from (f"Assumed: {text}" for text in found.comparison.assumptions)
-    if found.ends is not None:
-        yield f"End model that meets the 3-D stiffness to {100.0 * found.ends.residual:.2g} %, for the design file:"
-        yield f"  {end_model(found)}"
+    for label, ends in found.ends.items():
+        yield f"End model for the design file, {label}, met to {100.0 * ends.residual:.2g} %:"
+        yield f"  {end_model(ends)}"
 
 
-def end_model(found: Verification) -> str:
-    """The fitted end model as the design file writes it."""
-    ends = found.ends
-    assert ends is not None  # asked for only where there is one
+def end_model(ends: EndFit) -> str:
+    """A fitted end model as the design file writes it."""
     effect = ends.effect
     low, high = (f"{1e3 * value:.6g} mm" for value in (effect.shortest, effect.longest))
     parts = [f"offset: {1e3 * effect.offset:.4g} mm"]
-    if ends.lock_length > 0.0:
+    if effect.lock_offset != 0.0 and ends.lock_length > 0.0:
         parts += [f"lock_length: {1e3 * ends.lock_length:.4g} mm", f"decay_length: {1e3 * effect.decay:.4g} mm"]
     return f"end_model: {{{', '.join(parts)}, valid: {{min: {low}, max: {high}}}}}"

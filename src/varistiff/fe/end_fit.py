@@ -11,6 +11,8 @@ from scipy.optimize import least_squares
 from varistiff.core.errors import InputError
 from varistiff.elastic.end_effect import EndEffect
 
+ENOUGH = 0.001  # relative; a solid's own error is of this size
+
 
 @dataclass(frozen=True)
 class EndFit:
@@ -40,8 +42,10 @@ def fit_end_effect(*, active_length: ArrayLike, stiffness: ArrayLike, rigidity: 
     stiffness : of the element alone, nothing in series [N m/rad], shape (n,)
     rigidity : G J of section theory [N m^2], which is not fitted: from k(x) alone it could not be told from the rest
 
-    Relative differences of the stiffness are minimised, so every length counts alike. A compliance in series with the
-    element has the same effect as the offset, and cannot be told from it either; give it as ``series_stiffness``.
+    Relative differences of the stiffness are minimised, so every length counts alike. Where the offset alone meets
+    every point to ``ENOUGH`` there is nothing near the lock to fit, and ``lock_offset`` is 0. A compliance in series
+    with the element has the same effect as the offset, and cannot be told from it either; give it as
+    ``series_stiffness``.
 
     Raises
     ------
@@ -60,13 +64,21 @@ def fit_end_effect(*, active_length: ArrayLike, stiffness: ArrayLike, rigidity: 
 
     span = float(x.max() - x.min())
     low, high = [-np.inf, -np.inf, 1e-3 * span], [np.inf, np.inf, 0.5 * span]
+    alone = least_squares(lambda p: residual(np.array([p[0], 0.0, span])), [far], x_scale=span)
+    if float(np.abs(alone.fun).max()) <= ENOUGH:
+        return _fit(x, k, rigidity, float(alone.x[0]), 0.0, span)
     starts = [np.array([far, near, share * span]) for share in (0.01, 0.03, 0.1, 0.3)]
     scale = [span, span, span]
     found = min(
         (least_squares(residual, start, bounds=(low, high), x_scale=scale) for start in starts),
         key=lambda one: float(one.cost),
     )
-    offset, lock_offset, decay = (float(value) for value in found.x)
+    return _fit(x, k, rigidity, *(float(value) for value in found.x))
+
+
+def _fit(
+    x: NDArray[np.float64], k: NDArray[np.float64], rigidity: float, offset: float, lock_offset: float, decay: float
+) -> EndFit:
     effect = EndEffect(
         offset=offset, lock_offset=lock_offset, decay=decay, shortest=float(x.min()), longest=float(x.max())
     )

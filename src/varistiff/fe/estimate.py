@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 _SECONDS = 1.2  # for one factorisation of 26 000 unknowns, on one slow core of 2024
 _POWER = 1.85
-_BYTES = 4.0e8  # of a factorisation of 26 000 unknowns
-_BYTES_POWER = 1.35
+_BYTES = 2.5e8  # of a factorisation of 26 000 unknowns
+_BYTES_POWER = 1.3
 _REFERENCE = 26_000.0
 
 
@@ -31,7 +31,7 @@ class Estimate:
 def direct_solver(unknowns: int, *, matrices: int = 1) -> Estimate:
     """Estimate for sparse Cholesky factorisations on elements of order 3, calibrated on extruded solids.
 
-    seconds ~ 1.2 (n/26000)^1.85,   memory ~ 0.4 GB (n/26000)^1.35   per matrix
+    seconds ~ 1.2 (n/26000)^1.85,   memory ~ 0.25 GB (n/26000)^1.3   per matrix
     """
     ratio = max(unknowns, 1000) / _REFERENCE
     return Estimate(unknowns, matrices * _BYTES * ratio**_BYTES_POWER, 2.0 * matrices * _SECONDS * ratio**_POWER)

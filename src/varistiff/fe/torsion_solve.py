@@ -30,7 +30,8 @@ def solve(
     The clamp holds z = 0. Cases: a rigid flange at the active length x on a bar that ends there (warping free, and
     blocked); on the whole element the counter bearing over z in [x, x + bearing_length], by a uniform pressure on the
     driving flank of every rail, and as a rigid frictionless bearing in unilateral contact (a sleeve of the section's
-    own outline where there are no rails; bonded where the outside is round). At x = 0 only the pressure on the rails' flanks is left.
+    own outline where there are no rails; bonded where the outside is round).
+    At x = 0 only the pressure on the rails' flanks is left.
     The element turns about the section's shear centre.
 
     Conforming elements make the stiffness under a prescribed rotation too large; a case's error is its relative

@@ -23,7 +23,7 @@ LABELS = {
     "bearing_contact": "3-D, contact with the bearing",
     "bearing_bonded": "3-D, bonded bearing",
 }
-DEVICE_CASES = ("bearing_contact", "bearing_bonded")  # what the real device does
+BEARING_CASES = ("bearing_contact", "bearing_bonded", "bearing_pressure")
 
 
 @dataclass(frozen=True)
@@ -110,21 +110,23 @@ def compare_torsion(
     return comparison, results
 
 
-def fitted_ends(tube: TorsionTube, comparison: Comparison) -> EndFit:
-    """End model of the device's own load case, fitted to the compared settings.
+def fitted_ends(tube: TorsionTube, comparison: Comparison) -> dict[str, EndFit]:
+    """End models of the load cases at the bearing, by the label of the case; none where there are too few settings.
 
-    Raises
-    ------
-    InputError : fewer than four settings
+    Contact, or the bonded bearing, is what the device does. A uniform pressure has a stiffness at the lock too, where a
+    rigid bearing beside a rigid clamp has none.
     """
-    method = next(method for method in comparison.methods if method.name in DEVICE_CASES)
-    element = 1.0 / (1.0 / method.values - 1.0 / tube.series_stiffness)
-    known = np.isfinite(element)
-    return fit_end_effect(
-        active_length=comparison.setting[known],
-        stiffness=element[known],
-        rigidity=tube.shear_modulus * tube.torsion_constant,
-    )
+    found = {}
+    for method in comparison.methods:
+        element = 1.0 / (1.0 / method.values - 1.0 / tube.series_stiffness)
+        known = np.isfinite(element)
+        if method.name in BEARING_CASES and known.sum() >= 4:
+            found[method.label] = fit_end_effect(
+                active_length=comparison.setting[known],
+                stiffness=element[known],
+                rigidity=tube.shear_modulus * tube.torsion_constant,
+            )
+    return found
 
 
 def _theory(name: str, label: str, rigidity: float, x: Floats, tube: TorsionTube) -> Method:

@@ -31,12 +31,12 @@ class Verification:
     Parameters
     ----------
     comparison : every method and its values
-    ends : end model of a torsion tube, fitted to four settings or more; None otherwise
+    ends : end models of a torsion tube's load cases, fitted to four settings or more
     table : header and rows for people
     """
 
     comparison: Comparison
-    ends: EndFit | None
+    ends: dict[str, EndFit]
     table: tuple[list[str], list[list[str]]]
 
 
@@ -81,7 +81,7 @@ def verify(
     if design.kind == "torsion_tube":
         comparison, ends, method = _torsion(design, at, ratio, tolerance, tell)
     else:
-        comparison, ends, method = _leaves(design, at, deflections, ratio, tolerance, tell), None, LEAF_METHOD
+        comparison, ends, method = _leaves(design, at, deflections, ratio, tolerance, tell), {}, LEAF_METHOD
     unit = design.setting_unit or ""
     comparison = replace(comparison, assumptions=(*assumed, *comparison.assumptions), measured=measured)
     about = {key: str(value) for key, value in design.attributes.items()}
@@ -138,7 +138,7 @@ def _even(design: Design) -> list[float]:
 
 def _torsion(
     design: Design, settings: Sequence[float], ratio: float, tolerance: float, tell: Tell
-) -> tuple[Comparison, EndFit | None, str]:
+) -> tuple[Comparison, dict[str, EndFit], str]:
     from varistiff.actuators.torsion_tube import TorsionTube
     from varistiff.fe.torsion_problem import TorsionProblem, TorsionResult
     from varistiff.fe.torsion_solve import solve
@@ -155,7 +155,7 @@ def _torsion(
         return solve(problem, tolerance=tolerance, progress=lambda text, share: tell(f"{where}: {text}"))
 
     comparison, results = compare_torsion(tube, settings, solved, parts)
-    ends = fitted_ends(tube, comparison) if count >= 4 else None
+    ends = fitted_ends(tube, comparison)
     return replace(comparison, assumptions=assumed), ends, results[-1].method
 
 

@@ -47,7 +47,13 @@ def draw(comparison: Comparison, setting_unit: str) -> Drawing:
                 below.plot(x, 100.0 * comparison.difference(method), **look)
         if comparison.measured is not None:
             where, values = comparison.measured
-            cross: dict[str, Any] = {"color": BLACK, "marker": "x", "markersize": 8, "markeredgewidth": 2.0, "linestyle": "none"}
+            cross: dict[str, Any] = {
+                "color": BLACK,
+                "marker": "x",
+                "markersize": 8,
+                "markeredgewidth": 2.0,
+                "linestyle": "none",
+            }
             axes.plot(where * at.factor, values * shown.factor, label="measured", **cross)
         if spread > 20.0:
             axes.set_yscale("log")
