@@ -81,8 +81,8 @@ def _write_figures(design: Design, dataset: xr.Dataset, folder: Path, tell: _Tel
 
     folder.mkdir()
     pictures = []
-    own = (draw_mechanism(design.actuator, dataset), section_stress.draw(design.actuator, dataset))
-    for drawing in [*(drawing for drawing in own if drawing is not None), *draw_all(dataset)]:
+    first, last = draw_mechanism(design.actuator, dataset), section_stress.draw(design.actuator, dataset)
+    for drawing in (drawing for drawing in (first, *draw_all(dataset), last) if drawing is not None):
         tell(f"figure {drawing.name}")
         svg = drawing.svg()
         (folder / f"{drawing.name}.svg").write_text(svg, encoding="utf-8")
