@@ -10,6 +10,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 CORE := $(VENV)/.core
 TOOLS := $(VENV)/.tools
+BENCHMARK := $(VENV)/.benchmark
 PIP := $(BIN)/python -m pip --disable-pip-version-check
 # the first interpreter that runs and is new enough; say PYTHON=... to choose another
 PYTHON ?= $(shell for python in python3.11 python3.12 python3.13 python3; do \
@@ -37,6 +38,10 @@ $(TOOLS): $(CORE)
 	$(PIP) install --quiet --constraint constraints.txt --editable '.[test,docs,dev,fe,dxf]'
 	touch $@
 
+$(BENCHMARK): $(TOOLS)
+	$(PIP) install --quiet --constraint constraints.txt --editable '.[benchmark]'
+	touch $@
+
 results/%/report.html: examples/%.yaml $(CORE) $(SOURCES)
 	$(BIN)/varistiff analyse $< --output $(@D)
 
@@ -56,7 +61,7 @@ docs: $(TOOLS)
 	$(BIN)/sphinx-build -W --keep-going -q -b html docs docs/_build/html
 	@echo "docs/_build/html/index.html"
 
-benchmark: $(TOOLS)
+benchmark: $(BENCHMARK)
 	$(BIN)/python -m benchmarks
 
 clean:

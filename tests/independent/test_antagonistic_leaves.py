@@ -32,7 +32,7 @@ def _least(span: float, limit: float = math.inf) -> tuple[float, float, float, f
     """Energy, outward push, length and largest curvature of one leaf, extrapolated."""
     found = [sleeve(span, HEIGHT, flexural_rigidity=EI, elements=n, curvature_limit=limit) for n in (32, 64)]
     pairs = [(m.energy, m.force_x, m.active_length, m.curvature_max) for m in found]
-    return tuple(extrapolated(coarse, fine) for coarse, fine in zip(*pairs, strict=True))  # type: ignore[return-value]  # four of them
+    return tuple(extrapolated(coarse, fine) for coarse, fine in zip(*pairs, strict=True))  # type: ignore[return-value]  # zip has lost the number, four
 
 
 @pytest.mark.parametrize(

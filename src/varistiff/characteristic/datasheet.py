@@ -377,7 +377,8 @@ def _limit(table: MapTable, row: int) -> Limit:
         return Limit(setting, stiffness, None, None, ending)
 
     def far(end: tuple[int, Status | None]) -> float:
-        return abs(float(table.deflection[end[0]]))
+        # an even grid is even to rounding only: of two ends alike the positive one is named
+        return float(f"{abs(table.deflection[end[0]]):.9g}")
 
     stopped = [end for end in reached if end[1] is not None]
     column, status = min(stopped, key=far) if stopped else max(reached, key=far)

@@ -16,6 +16,7 @@ from varistiff.core.textfile import printable_path
 from varistiff.design.build import build
 from varistiff.design.read import read_spec
 from varistiff.design.resolve import canonical, design_hash, resolved, unlimited
+from varistiff.design.section_spec import OutlineSpec, SplinedTubeSpec
 from varistiff.design.spec import (
     AntagonisticLeavesSpec,
     AnyActuatorSpec,
@@ -274,4 +275,21 @@ def _warnings(elements: AnyActuatorSpec) -> list[str]:
     tube = elements if isinstance(elements, TorsionTubeSpec) else None
     if tube is not None and tube.length is not None and tube.setting.max > tube.length:
         found.append("actuator.setting.max: is above the element's length: points beyond are element_too_short")
+    if tube is not None and _has_sharp_root(tube):
+        found.append(
+            "actuator.section: a sharp re-entrant corner: the ideal stress is unbounded there, inf under load, and "
+            "nothing is reported as yielded; give it a fillet"
+        )
     return [*found, *unlimited(elements)]
+
+
+def _has_sharp_root(tube: TorsionTubeSpec) -> bool:
+    section = tube.section
+    if isinstance(section, SplinedTubeSpec):
+        return section.root_fillet == 0.0
+    if isinstance(section, OutlineSpec):
+        from varistiff.sections.outline import Outline
+        from varistiff.sections.panels import sharp_corners
+
+        return any(corner.is_reentrant for corner in sharp_corners(Outline(section.loops)))
+    return False

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import ConfigDict, Discriminator, Field, Tag, field_validator, model_validator
+from pydantic import ConfigDict, Discriminator, Field, SerializeAsAny, Tag, field_validator, model_validator
 
 from varistiff.core import quantity
 from varistiff.design.fields import (
@@ -144,7 +144,7 @@ class TorsionTubeSpec(Part):
     material: MaterialName | None = None
     shear_modulus: PositiveStress | None = Field(default=None, description="Overrides the material's")
     yield_strength: YieldStrength = None
-    section: SectionSpec
+    section: SerializeAsAny[SectionSpec]  # a polygon's becomes an OutlineSpec once it is read
     series_stiffness: PositiveRotationalStiffness | None = Field(
         default=None, description="Everything else in the drive train; optional"
     )

@@ -121,6 +121,11 @@ def place_nodes(outline: Outline, *, order: int, tolerance: float) -> Nodes:
     )
 
 
+def sharp_corners(outline: Outline) -> tuple[Corner, ...]:
+    """Corners of an outline's fundamental pieces."""
+    return _segments_and_corners(outline)[2]
+
+
 def _size(outline: Outline) -> float:
     """Diagonal of the section's bounding box, wherever its origin lies [m]."""
     t = np.linspace(0.0, 1.0, 17)
