@@ -10,8 +10,8 @@ import os
 import signal
 import subprocess
 import sys
-import threading
 import time
+import threading
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -21,7 +21,7 @@ import pytest
 from varistiff.core.errors import InputError
 from varistiff.design.design import Design
 
-COMMANDS = ("analyse", "evaluate", "validate", "schema", "materials")
+COMMANDS = ("analyse", "evaluate", "validate", "schema", "materials", "verify")
 
 
 def names(directory: Path) -> list[str]:
@@ -38,9 +38,7 @@ def stalled(monkeypatch: pytest.MonkeyPatch) -> Callable[[Callable[[], object]],
     return install
 
 
-def test_help_is_fast_and_the_same_as_the_commands_own(
-    run: Callable[..., Any], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_help_is_the_same_as_the_commands_own(run: Callable[..., Any], monkeypatch: pytest.MonkeyPatch) -> None:
     import typer
 
     from varistiff.cli.app import app
@@ -55,15 +53,16 @@ def test_help_is_fast_and_the_same_as_the_commands_own(
     for command in COMMANDS:
         assert f"\n  {command} " in shown.out
         assert run(command, "--help").status == 0
-    script = [sys.executable, "-m", "varistiff.cli", "--help"]
-    best = min(_seconds(script) for _ in range(3))
-    assert best < 0.3  # the limit of the contract; the best of three, other work may be running
 
 
-def _seconds(command: list[str]) -> float:
-    start = time.perf_counter()
-    subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
-    return time.perf_counter() - start
+def test_help_imports_nothing_slow() -> None:
+    """The time that it takes is measured in benchmarks/; here is what keeps it short."""
+    script = (
+        "import sys; from varistiff.cli.main import main; main(['--help']); "
+        "sys.exit(', '.join({'typer', 'numpy', 'jax', 'pydantic', 'matplotlib'} & set(sys.modules)) or 0)"
+    )
+    done = subprocess.run([sys.executable, "-c", script], check=False, capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, "")
 
 
 def test_every_command_and_option_says_what_it_does() -> None:
