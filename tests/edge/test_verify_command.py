@@ -11,6 +11,12 @@ from pathlib import Path
 import pytest
 
 from varistiff.cli.main import main
+from varistiff.cli.verification import end_model
+from varistiff.core.textfile import parse_yaml
+from varistiff.design.read import validated
+from varistiff.design.spec import TorsionTubeSpec
+from varistiff.elastic.end_effect import EndEffect
+from varistiff.fe.end_fit import EndFit
 
 ROD = """name: Short rod
 actuator:
@@ -118,3 +124,23 @@ def test_a_rod_is_checked(
     assert "Short rod" in page
     assert "Provenance" in page
     assert (output / "figures" / "comparison.svg").exists()
+
+
+def test_a_printed_end_model_is_one_that_a_design_takes() -> None:
+    lock = EndEffect(offset=0.0033, lock_offset=0.0003, decay=0.0029, shortest=0.0, longest=0.166)
+    plain = EndEffect(offset=-0.0012, lock_offset=0.0, decay=0.1, shortest=0.011, longest=0.166)
+    for effect in (lock, plain):
+        text = end_model(EndFit(effect, 0.001)).removeprefix("end_model: ")
+        (document,) = parse_yaml(ROD.replace("  length: 60 mm", f"  length: 200 mm\n  end_model: {text}"))
+        actuator = validated(document).actuator
+        assert isinstance(actuator, TorsionTubeSpec)
+        assert actuator.end_model is not None
+        assert actuator.end_model.offset == pytest.approx(effect.offset, rel=1e-3)
+        assert actuator.end_model.lock_offset == pytest.approx(effect.lock_offset, rel=1e-2)
+
+
+def test_a_measurement_in_millimetres(capsys: pytest.CaptureFixture[str], rod: Path, tmp_path: Path) -> None:
+    table = tmp_path / "measured.csv"
+    table.write_text("setting,stiffness\n30,210\n", encoding="utf-8")
+    said = refused(capsys, [str(rod), "--measured", str(table)], tmp_path / "out")
+    assert "row 1, column setting: 30 m is outside the element; allowed is 0 to 0.06, in metres" in said

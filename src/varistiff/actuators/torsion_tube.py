@@ -128,7 +128,7 @@ class TorsionTube(Actuator):
             bar.energy(deflection, length),
             torque,
             stiffness,
-            bar.length_force(deflection, length) * rate,
+            bar.length_force(deflection, length) * rate + 0.0,  # no negative zero at rest
             stress,
         )
         return Response(status, *(blank(status, value) for value in numbers)), {}

@@ -102,10 +102,21 @@ def _measured(design: Design, path: str) -> tuple[Floats, Floats]:
     columns, ignored = read_columns(path, ("setting", name))
     if ignored:
         print(f"varistiff: {path}: columns not used: {', '.join(ignored)}", file=sys.stderr)
-    return np.array(columns["setting"]), np.array(columns[name])
+    setting = np.array(columns["setting"])
+    length = getattr(design.elements, "length", None) or math.inf
+    beyond = np.flatnonzero((setting < 0.0) | (setting > length))
+    if design.kind == "torsion_tube" and beyond.size:
+        raise InputError(
+            f"{setting[beyond[0]]:g} m is outside the element; allowed is 0 to {length:g}, in metres",
+            file=path,
+            field=f"row {beyond[0] + 1}, column setting",
+        )
+    return setting, np.array(columns[name])
 
 
 def _lines(found: Verification) -> Iterator[str]:
+    import numpy as np
+
     header, rows = found.table
     # a name and its column, one a line, so that the table fits a terminal
     keys = [f"({number})" for number in range(1, len(header) + 1)]
@@ -114,6 +125,11 @@ def _lines(found: Verification) -> Iterator[str]:
     widths = [max(len(row[column]) for row in [keys, *rows]) for column in range(len(header))]
     for row in [keys, *rows]:
         yield "  ".join(cell.rjust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
+    errors = [method.errors[np.isfinite(method.errors)] for method in found.comparison.methods]
+    worst = max((float(error.max()) for error in errors if error.size), default=0.0)
+    reference = keys[header.index(next(name for name in header if name.startswith(found.comparison.reference.label)))]
+    yield f"In brackets: the difference from {reference}."
+    yield f"Largest change of a 3-D value in its last refinement: {100.0 * worst:.2g} %."
     yield from found.comparison.remarks
     yield from (f"Assumed: {text}" for text in found.comparison.assumptions)
     for label, ends in found.ends.items():
@@ -124,7 +140,8 @@ def _lines(found: Verification) -> Iterator[str]:
 def end_model(ends: EndFit) -> str:
     """A fitted end model as the design file writes it."""
     effect = ends.effect
-    low, high = (f"{1e3 * value:.6g} mm" for value in (effect.shortest, effect.longest))
+    # a design's active length is above zero; a fit that includes the lock holds as close to it as one likes
+    low, high = (f"{max(1e3 * value, 1e-3):.6g} mm" for value in (effect.shortest, effect.longest))
     parts = [f"offset: {1e3 * effect.offset:.4g} mm"]
     if effect.lock_offset != 0.0 and ends.lock_length > 0.0:
         parts += [f"lock_length: {1e3 * ends.lock_length:.4g} mm", f"decay_length: {1e3 * effect.decay:.4g} mm"]

@@ -43,7 +43,7 @@ def fit_end_effect(*, active_length: ArrayLike, stiffness: ArrayLike, rigidity: 
     rigidity : G J of section theory [N m^2], which is not fitted: from k(x) alone it could not be told from the rest
 
     Relative differences of the stiffness are minimised, so every length counts alike. Where the offset alone meets
-    every point to ``ENOUGH`` there is nothing near the lock to fit, and ``lock_offset`` is 0. A compliance in series
+    every point to ``ENOUGH``, or with four points only, ``lock_offset`` is 0. A compliance in series
     with the element has the same effect as the offset, and cannot be told from it either; give it as
     ``series_stiffness``.
 
@@ -65,7 +65,7 @@ def fit_end_effect(*, active_length: ArrayLike, stiffness: ArrayLike, rigidity: 
     span = float(x.max() - x.min())
     low, high = [-np.inf, -np.inf, 1e-3 * span], [np.inf, np.inf, 0.5 * span]
     alone = least_squares(lambda p: residual(np.array([p[0], 0.0, span])), [far], x_scale=span)
-    if float(np.abs(alone.fun).max()) <= ENOUGH:
+    if x.size < 5 or float(np.abs(alone.fun).max()) <= ENOUGH:  # three numbers cannot be held against four points
         return _fit(x, k, rigidity, float(alone.x[0]), 0.0, span)
     starts = [np.array([far, near, share * span]) for share in (0.01, 0.03, 0.1, 0.3)]
     scale = [span, span, span]

@@ -88,10 +88,11 @@ def compare_torsion(
     hardware : what the design leaves open
     """
     x = np.array(sorted({float(setting) for setting in settings}))
-    problems = [torsion_problem(tube, setting, hardware) for setting in x]
+    problems = [torsion_problem(tube, float(setting), hardware) for setting in x]
     results = tuple(solve(number, problem) for number, problem in enumerate(problems))
     rigidity = tube.shear_modulus * tube.torsion_constant
-    methods = [_theory("section_theory", "section theory, G J/x", rigidity, x, tube)]
+    label = "section theory" + (", G J/x" if math.isinf(tube.series_stiffness) else " with the drive train")
+    methods = [_theory("section_theory", label, rigidity, x, tube)]
     if isinstance(tube.section, SplinedTube):
         bare = HollowCircle(outer_radius=tube.section.outer_radius, inner_radius=tube.section.inner_radius)
         methods.append(_theory("bare_tube", "tube without rails", tube.shear_modulus * bare.torsion_constant, x, tube))
@@ -104,7 +105,7 @@ def compare_torsion(
         setting=x,
         deflection=None,
         methods=tuple(methods),
-        remarks=tuple(_remarks(tube, x, results)),
+        remarks=tuple(_remarks(tube, x, results, hardware.bearing_length)),
         fields=last.fields,
     )
     return comparison, results
@@ -143,7 +144,7 @@ def _solid(name: str, results: Sequence[TorsionResult], tube: TorsionTube) -> Me
     return Method(name, LABELS.get(name, name), values, errors)
 
 
-def _remarks(tube: TorsionTube, x: Floats, results: Sequence[TorsionResult]) -> list[str]:
+def _remarks(tube: TorsionTube, x: Floats, results: Sequence[TorsionResult], bearing_length: float) -> list[str]:
     said = []
     if math.isfinite(tube.series_stiffness):
         said.append(f"Every stiffness includes the drive train in series, {tube.series_stiffness:.6g} N m/rad.")
@@ -155,16 +156,25 @@ def _remarks(tube: TorsionTube, x: Floats, results: Sequence[TorsionResult]) -> 
     shares = [(case.local_share, at) for at, result in zip(x, results, strict=True) for case in result.cases]
     local = [(share, at) for share, at in shares if math.isfinite(share)]
     if local:
-        low, high = min(local), max(local)
+        ends = [
+            f"{100.0 * share:.2g} % of the rotation (x = {1e3 * at:.4g} mm)" for share, at in (min(local), max(local))
+        ]
+        said.append(f"Local deflection at the bearing: {' to '.join(dict.fromkeys(ends))}.")
+    contact = results[-1].contact
+    if contact is not None and contact.lost_motion > 0.0:
+        lost = math.degrees(contact.lost_motion)
         said.append(
-            f"Local deflection at the bearing: {100.0 * low[0]:.2g} % of the rotation (x = {1e3 * low[1]:.4g} mm) to "
-            f"{100.0 * high[0]:.2g} % (x = {1e3 * high[1]:.4g} mm)."
+            f"Lost motion from the bearing's clearance: {lost:.3g} deg either way; it is no part of the stiffness."
         )
+    cut = [f"{1e3 * at:.4g}" for at in x if at + bearing_length > tube.length * (1.0 + 1e-9)]
+    if cut:
+        said.append(f"The bearing reaches beyond the element's end and is cut off there: x = {', '.join(cut)} mm.")
     stress = results[-1].stress
     if math.isfinite(stress.bearing_ratio):
         said.append(
             f"Largest equivalent stress with the bearing's load superimposed: {stress.bearing_ratio:.3g} times that "
             f"of torsion alone ({stress.bearing_case}, x = {1e3 * x[-1]:.4g} mm), {1e3 * stress.distance:.2g} mm away "
-            "from edges where the ideal stress is unbounded."
+            "from edges where the ideal stress is unbounded; it changed by "
+            f"{100.0 * stress.bearing_error:.2g} % in the last refinement, so it is a size and no limit."
         )
     return said

@@ -112,25 +112,40 @@ def table_rows(comparison: Comparison, setting_unit: str) -> tuple[list[str], li
         bent = display("rad" if comparison.unit.startswith("N*m") else "m")
         header.append(f"deflection [{bent.unit}]")
     header += [f"{method.label} [{shown.unit}]" for method in comparison.methods]
+    places, values = comparison.measured or (np.empty(0), np.empty(0))
+    if places.size:
+        header.append(f"measured [{shown.unit}]")
     rows = []
     for row, setting in enumerate(comparison.setting):
         cells = [f"{setting * at.factor:.4g}"]
         if bent is not None and comparison.deflection is not None:
             cells.append(f"{comparison.deflection[row] * bent.factor:.4g}")
         cells += [_cell(comparison, method, row, shown.factor) for method in comparison.methods]
+        same = np.flatnonzero(np.isclose(places, setting, rtol=1e-6, atol=1e-9))
+        if places.size:
+            cells.append(
+                _difference(values[same[0]], comparison.reference.values[row], shown.factor) if same.size else "-"
+            )
         rows.append(cells)
+    for place, value in zip(places, values, strict=True):
+        if not np.isclose(comparison.setting, place, rtol=1e-6, atol=1e-9).any():
+            blank = ["-"] * (len(header) - 2)
+            rows.append([f"{place * at.factor:.4g}", *blank, f"{value * shown.factor:.4g}"])
     return header, rows
+
+
+def _difference(value: float, reference: float, factor: float) -> str:
+    text = f"{value * factor:.4g}"
+    return f"{text} ({100.0 * (value / reference - 1.0):+.2g} %)" if math.isfinite(reference) else text
 
 
 def _cell(comparison: Comparison, method: Method, row: int, factor: float) -> str:
     value = float(method.values[row])
     if not math.isfinite(value):
         return "-"
-    text = f"{value * factor:.4g}"
     if method is comparison.reference:
-        return text
-    difference = float(comparison.difference(method)[row])
-    return f"{text} ({100.0 * difference:+.2g} %)" if math.isfinite(difference) else text
+        return f"{value * factor:.4g}"
+    return _difference(value, float(comparison.reference.values[row]), factor)
 
 
 def _plain(values: Any) -> list[float | None]:

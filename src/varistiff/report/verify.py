@@ -67,6 +67,7 @@ def verify(
     InputError : a kind without a solid, a setting outside, NGSolve missing, no convergence, an output in the way
     """
     from varistiff.characteristic.provenance import provenance
+    from varistiff.core.citations import citation
     from varistiff.core.writing import check_directory
     from varistiff.fe import import_ngsolve
     from varistiff.report.verification import check_output, table_rows, write_verification
@@ -86,6 +87,7 @@ def verify(
     comparison = replace(comparison, assumptions=(*assumed, *comparison.assumptions), measured=measured)
     about = {key: str(value) for key, value in design.attributes.items()}
     about |= {key: str(value) for key, value in provenance(design.actuator, packages=("ngsolve", "numpy")).items()}
+    about["sources"] = "; ".join(str(citation(key)) for key in design.actuator.references)
     write_verification(comparison, output, about={**about, "method": method}, setting_unit=unit)
     return Verification(comparison, ends, table_rows(comparison, unit))
 

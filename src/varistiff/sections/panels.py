@@ -250,8 +250,7 @@ def _separated(
             for marks, mask in zip(breaks, split, strict=True)
         ]
     raise InputError(
-        "has walls or gaps too thin, or too many corners, to be solved; allowed are walls above 2 % of the size, or "
-        "fewer corners"
+        "has walls or gaps too thin, or too many corners, to be solved; allowed are thicker walls, or fewer corners"
     )
 
 
