@@ -97,7 +97,8 @@ def _settled(
                 f"{limit / 2**30:.1f} GiB{_reached(errors)}; allowed are a simpler section or a looser tolerance"
             )
         say(
-            f"{text}, mesh {number + 1}: {estimate.unknowns} unknowns, about {estimate.seconds:.0f} s",
+            f"{text}, mesh {number + 1}: {estimate.unknowns} unknowns, about {estimate.seconds:.0f} s "
+            f"and {estimate.memory / 2**30:.1f} GiB",
             share + 0.3 * number * part,
         )
         with ng.TaskManager():

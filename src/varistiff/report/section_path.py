@@ -15,13 +15,13 @@ MM = 1e3
 
 
 def section_loops(section: Section) -> list[Array]:
-    """Closed polylines of the boundary about the centroid [mm], the outer one first."""
-    centroid = np.array(section.properties().centroid)
-    return [(loop - centroid) * MM for loop in section.outline().polylines()]
+    """Closed polylines of the boundary about the shear centre, which it turns about [mm], the outer one first."""
+    axis = np.array(section.properties().shear_centre)
+    return [(loop - axis) * MM for loop in section.outline().polylines()]
 
 
 def section_path(loops: list[Array], *, angle: float = 0.0, centre: tuple[float, float] = (0.0, 0.0)) -> Path:
-    """Path of a section turned by an angle [rad] about its centroid, which lies at ``centre``; holes stay open."""
+    """Path of a section turned by an angle [rad] about its own axis, which lies at ``centre``; holes stay open."""
     c, s = math.cos(angle), math.sin(angle)
     turn = np.array([[c, s], [-s, c]])
     points = np.concatenate([loop @ turn + centre for loop in loops])
