@@ -379,7 +379,7 @@ def test_every_cut_of_a_drawing_ends_in_one_line(draw: Draw) -> None:
     chance = random.Random(1)
     for _ in range(6):
         path.write_bytes(data[: chance.randrange(len(data))])
-        said_of(path, unit=None)
+        assert said_of(path, unit=None)
     for _ in range(12):
         place = data.rindex(b"ENTITIES") + chance.randrange(600)
         path.write_bytes(data[:place] + bytes([chance.randrange(1, 255)]) + data[place + 1 :])
