@@ -125,7 +125,7 @@ def bearing_faces(problem: TorsionProblem) -> Callable[[Floats, Floats], NDArray
     if problem.bearing_kind != "flanks":
         return lambda points, _: np.full(len(points), True)
     section = problem.section
-    side, rails = 0.5 * float(section.rail_width), int(section.rails)  # type: ignore[attr-defined]
+    side, rails = 0.5 * float(section.rail_width), int(section.rails)  # type: ignore[attr-defined]  # only a splined tube has flanks
 
     def on_flank(points: Floats, normals: Floats) -> NDArray[np.bool_]:
         found = np.full(len(points), False)
