@@ -6,7 +6,7 @@ from pathlib import Path
 
 import varistiff
 
-ROOMS = ("core", "materials", "sections", "elastic", "actuators", "characteristic", "design", "fe", "report")
+ROOMS = ("core", "materials", "sections", "elastic", "actuators", "characteristic", "dynamics", "design", "fe", "report")
 
 
 def modules(room: str) -> list[str]:

@@ -9,6 +9,7 @@ from typing import Any
 
 import api_pages
 import design_reference
+import scenario_reference
 import torsion_tables
 
 from varistiff.core.citations import citations
@@ -65,6 +66,7 @@ PAGES: dict[str, Callable[[], str]] = {
     "materials": materials,
     "materials_lacking": lacking,
     "design_fields": design_reference.render,
+    "scenario_fields": scenario_reference.render,
     "torsion_sections": torsion_tables.sections_table,
     "torsion_table_one": torsion_tables.table_one,
     "torsion_common_modulus": torsion_tables.common_modulus,

@@ -15,15 +15,29 @@ if TYPE_CHECKING:
     from varistiff.core.errors import InputError
     from varistiff.core.status import Status
     from varistiff.design.design import Design, load
+    from varistiff.design.scenario import Scenario, Simulation, load_scenario
     from varistiff.report.analyse import Analysis
 
-__all__ = ["Design", "InputError", "Status", "__version__", "analyse", "load"]
+__all__ = [
+    "Design",
+    "InputError",
+    "Scenario",
+    "Simulation",
+    "Status",
+    "__version__",
+    "analyse",
+    "load",
+    "load_scenario",
+]
 
 _HOME = {
     "Design": "varistiff.design.design",
     "InputError": "varistiff.core.errors",
+    "Scenario": "varistiff.design.scenario",
+    "Simulation": "varistiff.design.scenario",
     "Status": "varistiff.core.status",
     "load": "varistiff.design.design",
+    "load_scenario": "varistiff.design.scenario",
 }
 
 

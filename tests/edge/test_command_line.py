@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import errno
+import gc
 import io
 import json
 import os
@@ -20,6 +21,7 @@ import pytest
 
 from varistiff.core.errors import InputError
 from varistiff.design.design import Design
+from varistiff.sections.section import _kept
 
 COMMANDS = ("analyse", "evaluate", "validate", "schema", "materials", "verify")
 
@@ -65,6 +67,48 @@ def test_help_imports_nothing_slow() -> None:
     assert (done.returncode, done.stderr) == (0, "")
 
 
+def imported_of(slow: set[str], statement: str, *arguments: str) -> str:
+    """Which of the slow modules a fresh process has imported after a statement."""
+    script = f"import sys; {statement}; sys.exit(', '.join(sorted({slow!r} & set(sys.modules))) or 0)"
+    done = subprocess.run([sys.executable, "-c", script, *arguments], check=False, capture_output=True, text=True)
+    return done.stderr.strip() if done.returncode else ""
+
+
+def test_one_kind_does_not_import_what_another_needs(
+    tmp_path: Path, points: Path, example: Callable[[str], str]
+) -> None:
+    design = make(tmp_path, "beam.yaml", example("roller_beam").encode())
+    points.write_text("deflection,setting\n0.1,0.3\n", encoding="utf-8")
+    slow = {"scipy.linalg", "scipy.special", "pandas", "xarray", "matplotlib", "rich", "shapely"}
+    slow.add("varistiff.actuators.torsion_tube")
+    evaluated = "from varistiff.cli.main import main; main(sys.argv[1:])"
+    found = imported_of(slow, evaluated, "evaluate", str(design), str(points), "--output", str(tmp_path / "out.csv"))
+    assert (tmp_path / "out.csv").exists()
+    assert found.splitlines()[1:] == []  # after the count of points
+
+
+def test_pictures_without_a_section_do_without_scipy() -> None:
+    drawn = "import varistiff.report.analyse, varistiff.report.figures, varistiff.report.mechanism.roller_beam"
+    assert imported_of({"scipy.ndimage", "scipy.linalg"}, drawn) == ""
+
+
+def test_a_quick_command_leaves_garbage_lying_and_others_do_not(
+    run: Callable[..., Any], series: Path, points: Path, stalled: Callable[..., None], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    collecting: list[bool] = []
+
+    def note(*_: object, **__: object) -> None:
+        collecting.append(gc.isenabled())
+        raise InputError("enough")
+
+    stalled(note)
+    assert run("evaluate", series, points, "--output", series.parent / "out.csv").status == 2
+    monkeypatch.setattr("varistiff.report.verify.verify", note)
+    assert run("verify", series).status == 2
+    assert collecting == [False, True]
+    assert gc.isenabled()
+
+
 def test_every_command_and_option_says_what_it_does() -> None:
     import typer
 
@@ -105,6 +149,21 @@ def test_validate_checks_every_file(run: Callable[..., Any], series: Path, tmp_p
     assert result.status == 2
     assert result.line.startswith(f"varistiff: {wrong}: actuator.stiffness: ")
     assert result.out.count(": ok: ") == 1
+
+
+def test_validate_refuses_what_evaluate_would(
+    run: Callable[..., Any], tmp_path: Path, example: Callable[[str], str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def unsolvable(_: object) -> None:
+        raise InputError("walls are too thin; allowed are thicker ones")
+
+    monkeypatch.setattr("varistiff.sections.solved.solved_properties", unsolvable)
+    monkeypatch.setattr("varistiff.sections.section._kept", _kept.__wrapped__)
+    design = make(tmp_path, "tube.yaml", example("splined_tube").encode())
+    result = run("validate", design)
+    assert result.status == 2
+    assert result.line == f"varistiff: {design}: actuator.section: walls are too thin; allowed are thicker ones"
+    assert result.out == ""
 
 
 def test_schema_is_json_and_materials_are_listed(run: Callable[..., Any], tmp_path: Path) -> None:

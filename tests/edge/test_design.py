@@ -186,6 +186,31 @@ def conforms(value: Any, schema: dict[str, Any], root: dict[str, Any]) -> bool:
     return kind != "null" or value is None
 
 
+def test_fields_of_a_section_file_say_what_they_mean() -> None:
+    fields = json_schema()["$defs"]["PolygonSpec"]["properties"]
+    assert "CSV" in fields["file"]["description"]
+    assert "relative to the design file" in fields["file"]["description"]
+    assert "required for CSV" in fields["unit"]["description"]
+
+
+def test_a_wrong_section_file_is_said_with_the_designs_field(
+    example: Callable[[str], str], loaded: Callable[[str], Design], tmp_path: Path
+) -> None:
+    (tmp_path / "outline.csv").write_text("x,y\n0,0\n20,0\n0,z\n", encoding="utf-8")
+    whole = r"  section:.*?\n  (?=\w)"
+    text = re.sub(
+        whole, "  section: {shape: polygon, file: OUT, unit: mm}\n  ", example("torsion_tube"), flags=re.DOTALL
+    )
+    for name, said in [
+        ("outlin.csv", 'cannot be read: no such file or directory (did you mean "outline.csv"?)'),
+        ("other.dxf", "cannot be read: no such file or directory"),
+        ("outline.csv", 'line 4, column y: "z" is not a number; allowed is a finite number without a unit'),
+    ]:
+        with pytest.raises(InputError) as caught:
+            loaded(text.replace("OUT", name))
+        assert str(caught.value) == (f"{tmp_path / 'design.yaml'}: actuator.section.file: {tmp_path / name}: {said}")
+
+
 def test_every_citation_is_complete() -> None:
     for entry in citations().values():
         assert str(entry.year) in entry.key

@@ -42,6 +42,30 @@ from varistiff.core.quantity_units import atoms
         ("3 J/rad", quantity.TORQUE, 3.0),
         ("60 rpm", quantity.ANGULAR_RATE, 2.0 * math.pi),
         ("7.85 g/cm^3", quantity.DENSITY, 7850.0),
+        ("92.5 g*cm^2", quantity.MOMENT_OF_INERTIA, 9.25e-6),
+        ("0.18 N*m*s/deg", quantity.ROTATIONAL_DAMPING, 32.4 / math.pi),
+        ("2 J*s/rad^2", quantity.ROTATIONAL_DAMPING, 2.0),
+        ("3 N*s/mm", quantity.LINEAR_DAMPING, 3000.0),
+        ("20 s^-1", quantity.PER_TIME, 20.0),
+        ("5 N*m/rad/s", quantity.ROTATIONAL_STIFFNESS_RATE, 5.0),
+        ("5 N/mm/s", quantity.LINEAR_STIFFNESS_RATE, 5000.0),
+        ("180 mm/s", quantity.VELOCITY, 0.18),
+        ("9 mm/deg", quantity.LENGTH_PER_ANGLE, 1.62 / math.pi),
+        ("0.1 s/rad", quantity.TIME_PER_ANGLE, 0.1),
+        ("0.1 s/mm", quantity.TIME_PER_LENGTH, 100.0),
+        ("48 V", quantity.VOLTAGE, 48.0),
+        ("750 mA", quantity.CURRENT, 0.75),
+        ("299 mohm", quantity.RESISTANCE, 0.299),
+        ("2.2 k\u03a9", quantity.RESISTANCE, 2200.0),
+        ("3 V/A", quantity.RESISTANCE, 3.0),
+        ("470 \u00b5F", quantity.CAPACITANCE, 4.7e-4),
+        ("2 Ah", quantity.CHARGE, 7200.0),
+        ("3 A*h", quantity.CHARGE, 10800.0),
+        ("70 W", quantity.POWER, 70.0),
+        ("6 J/s", quantity.POWER, 6.0),
+        ("30.2 mNm/A", quantity.TORQUE_CONSTANT, 0.0302),
+        ("130 K", quantity.TEMPERATURE_DIFFERENCE, 130.0),
+        ("4.57 K/W", quantity.THERMAL_RESISTANCE, 4.57),
     ],
 )
 def test_a_quantity_becomes_its_si_value(text: str, kind: Kind, value: float) -> None:
@@ -62,7 +86,20 @@ def test_a_quantity_becomes_its_si_value(text: str, kind: Kind, value: float) ->
         ("1 mm/mm", quantity.ANGLE, "is a pure number"),
         ("1 deg", quantity.LENGTH, "is an angle"),
         ("1 kg", quantity.FORCE, "is a mass"),
-        ("1 m/s", quantity.LENGTH, "of another kind"),
+        ("1 m/s^2", quantity.LENGTH, "of another kind"),
+        ("1 m/s", quantity.ANGULAR_RATE, "is a velocity"),
+        ("1 kg", quantity.MOMENT_OF_INERTIA, "is a mass"),
+        ("1 N*m*s", quantity.ROTATIONAL_DAMPING, "of another kind"),
+        ("1 N*s/m", quantity.ROTATIONAL_DAMPING, "is a linear damping"),
+        ("1 N*m/rad", quantity.ROTATIONAL_STIFFNESS_RATE, "is a rotational stiffness"),
+        ("1 mm/rad", quantity.LENGTH, "is a length per angle"),
+        ("1 C", quantity.CAPACITANCE, "is a charge"),
+        ("1 Wh", quantity.POWER, "is an energy"),
+        ("1 W*s", quantity.ENERGY, "of another kind"),
+        ("1 V", quantity.CURRENT, "is a voltage"),
+        ("1 N*m", quantity.TORQUE_CONSTANT, "is a torque"),
+        ("1 degC", quantity.TEMPERATURE_DIFFERENCE, "unknown unit"),
+        ("1 MV", quantity.VOLTAGE, 'did you mean "mV"'),
         ("1 mPa", quantity.STRESS, 'did you mean "MPa"'),
         ("1 Mm", quantity.LENGTH, 'did you mean "mm"'),
         ("1 dimensionless", quantity.ANGLE, "unknown unit"),
@@ -182,6 +219,8 @@ def test_text_that_looks_like_a_quantity_does_no_harm(text: str, kind: Kind) -> 
         ("kNm", 1000),
         ("Nmm", "0.001"),
         ("µm", "0.000001"),
+        ("Ah", 3600),
+        ("\u2126", 1),
     ],
 )
 def test_a_defined_unit_has_exactly_its_factor(symbol: str, factor: str | int | Fraction) -> None:
@@ -205,11 +244,18 @@ def test_every_unit_agrees_with_the_default_table_of_pint() -> None:
         "pressure": "Pa",
         "energy": "J",
         "frequency": "Hz",
+        "voltage": "V",
+        "current": "A",
+        "resistance": "ohm",
+        "capacitance": "F",
+        "charge": "C",
+        "power": "W",
+        "temperature": "K",
     }
     other_names = {"Nm": "N*m", "Nmm": "N*mm", "lb": "pound", "L": "liter", "rev": "turn", "h": "hour"}
     assert len(atoms()) > 80
     for symbol, unit in atoms().items():
-        name = other_names.get(symbol, symbol)
+        name = other_names.get(symbol, symbol).replace("\u03a9", "ohm").replace("\u2126", "ohm")
         if symbol.endswith("Nm"):
             name = f"{symbol[:-1]}*m"
         expected = registry.Quantity(1.0, name)

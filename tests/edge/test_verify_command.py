@@ -12,11 +12,14 @@ import pytest
 
 from varistiff.cli.main import main
 from varistiff.cli.verification import end_model
+from varistiff.core.errors import InputError
 from varistiff.core.textfile import parse_yaml
 from varistiff.design.read import validated
 from varistiff.design.spec import TorsionTubeSpec
 from varistiff.elastic.end_effect import EndEffect
 from varistiff.fe.end_fit import EndFit
+from varistiff.fe.torsion_body import Body
+from varistiff.fe.torsion_cases import Outcome
 
 ROD = """name: Short rod
 actuator:
@@ -54,6 +57,10 @@ def refused(capsys: pytest.CaptureFixture[str], arguments: list[str], output: Pa
         (["--setting", "51 N"], "--setting: "),
         (["--setting", "70mm"], "70 mm is outside the element; allowed is 0 mm to below 60 mm"),
         (["--setting", "-1mm"], "-1 mm is outside the element"),
+        (
+            ["--setting", "0mm"],
+            "rod.yaml: --setting: 0 mm is the rigid lock, where the bearing meets the clamp and",
+        ),
         (["--deflection", "1deg"], "--deflection: is given, but a torsion tube's stiffness"),
         (["--tolerance", "0.5"], "--tolerance: is 0.5; allowed is from 0.0001 to 0.1"),
         (["--tolerance", "much"], "--tolerance"),
@@ -110,6 +117,10 @@ def test_a_rod_is_checked(
     arguments = ["verify", str(rod), "--setting", "30mm", "--measured", str(table), "-o", str(output)]
     assert main(arguments) == 0
     said = capsys.readouterr()
+    first, second, *_ = said.err.splitlines()
+    assert first.startswith("varistiff: 1 setting, in all: about ")
+    assert first.endswith(" GiB with 3; estimates, within a factor of about two")
+    assert second.startswith("varistiff: setting 1 of 1")
     assert "section theory" in said.out
     rows = list(csv.DictReader((output / "comparison.csv").read_text(encoding="utf-8").splitlines()))
     found = {row["method"]: float(row["stiffness"]) for row in rows}
@@ -120,10 +131,106 @@ def test_a_rod_is_checked(
     assert about["design"] == ROD
     assert len(about["design_hash"]) == 64
     assert "ngsolve" in about["versions"]
+    assert about["strength"] == "2.77128e+07 Pa"  # 48 MPa/sqrt(3)
+    assert "broken_assumption" not in about
     page = (output / "report.html").read_text(encoding="utf-8")
     assert "Short rod" in page
     assert "Provenance" in page
     assert (output / "figures" / "comparison.svg").exists()
+
+
+@pytest.fixture
+def unmeshable(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let Netgen fail as it does."""
+    geometry = pytest.importorskip("netgen.geom2d").SplineGeometry
+    from netgen.libngpy._meshing import NgException
+
+    def fail(*_: object, **__: object) -> None:
+        raise NgException("meshing failed")
+
+    monkeypatch.setattr(geometry, "GenerateMesh", fail)
+
+
+def test_a_section_that_netgen_cannot_mesh(
+    capsys: pytest.CaptureFixture[str], rod: Path, tmp_path: Path, unmeshable: None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("VARISTIFF_CACHE", "off")
+    assert refused(capsys, [str(rod)], tmp_path / "out") == (
+        f"varistiff: {rod}: actuator.section: the section cannot be meshed (Netgen says: meshing failed); allowed is "
+        "an outline without walls, gaps and details that are far smaller than the rest"
+    )
+
+
+def test_results_before_a_failure_are_kept(
+    capsys: pytest.CaptureFixture[str], rod: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pytest.importorskip("ngsolve")
+    from varistiff.fe import torsion_solve
+
+    kept, output = tmp_path / "kept", tmp_path / "out"
+    monkeypatch.setenv("VARISTIFF_CACHE", str(kept))
+    run = torsion_solve.flange_outcome
+
+    def fail(body: Body) -> Outcome:
+        if body.problem.active_length > 0.035:
+            raise InputError("the section cannot be meshed (as it were)", field="actuator.section")
+        return run(body)
+
+    monkeypatch.setattr(torsion_solve, "flange_outcome", fail)
+    arguments = ["verify", str(rod), "--setting", "30mm", "--setting", "40mm", "--tolerance", "0.1", "-o", str(output)]
+    assert main(arguments) == 2
+    told = capsys.readouterr().err.splitlines()
+    assert told[0].startswith("varistiff: 2 settings, in all: about ")
+    assert told[-1] == f"varistiff: {rod}: setting 40 mm, actuator.section: the section cannot be meshed (as it were)"
+    assert not output.exists()
+    (entry,) = (kept / "varistiff" / "verify").iterdir()
+    before = entry.read_bytes()
+    assert main(arguments) == 2
+    again = capsys.readouterr().err.splitlines()
+    assert again[0].startswith("varistiff: 1 setting (1 more kept from an earlier run), in all: about ")
+    assert again[1:3] == ["varistiff: setting 1 of 2, 30 mm", "varistiff: setting 2 of 2, 40 mm"]  # no mesh in between
+    assert entry.read_bytes() == before
+
+
+def test_a_point_without_a_load(
+    capsys: pytest.CaptureFixture[str], example: Callable[[str], str], tmp_path: Path
+) -> None:
+    pytest.importorskip("ngsolve")
+    path = tmp_path / "beam.yaml"
+    path.write_text(example("roller_beam"), encoding="utf-8")
+    said = refused(capsys, [str(path), "--setting", "300mm", "--deflection", "0deg"], tmp_path / "out")
+    assert said == (
+        f"varistiff: {path}: --deflection: 0 deg at the setting 300 mm is no_contact; allowed is a point with a load: "
+        "reduce the clearance or preload the element if play is unwanted"
+    )
+
+
+def test_a_step_file_that_cannot_be_written(capsys: pytest.CaptureFixture[str], rod: Path, tmp_path: Path) -> None:
+    pytest.importorskip("ngsolve")
+    for target, said in [
+        (rod / "rod.step", "cannot be written: not a directory; choose another --step"),
+        (rod, "is the design itself; choose another --step"),
+    ]:
+        assert main(["verify", str(rod), "--step", str(target)]) == 2
+        assert capsys.readouterr().err == f"varistiff: {target}: {said}\n"
+    assert [path.name for path in tmp_path.iterdir()] == ["rod.yaml"]
+
+
+def test_a_section_that_is_no_solid(
+    capsys: pytest.CaptureFixture[str], rod: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    occ = pytest.importorskip("netgen.occ")
+
+    def fail(*_: object) -> None:
+        raise RuntimeError("BRep_API: command not done\nat line 7")
+
+    monkeypatch.setattr(occ, "Face", fail)
+    assert main(["verify", str(rod), "--step", str(tmp_path / "rod.step")]) == 2
+    assert capsys.readouterr().err.startswith(
+        f"varistiff: {rod}: actuator.section: no solid can be made of the section (the CAD kernel says: BRep_API: "
+        "command not done); allowed is"
+    )
+    assert [path.name for path in tmp_path.iterdir()] == ["rod.yaml"]
 
 
 def test_a_printed_end_model_is_one_that_a_design_takes() -> None:

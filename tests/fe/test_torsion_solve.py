@@ -13,9 +13,9 @@ from varistiff.core.errors import InputError
 from varistiff.fe import cache
 from varistiff.fe.estimate import direct_solver
 from varistiff.fe.step import write_step
-from varistiff.fe.torsion_body import LEVELS, Body
+from varistiff.fe.torsion_body import LEVELS, Body, unknowns
 from varistiff.fe.torsion_problem import TorsionProblem
-from varistiff.fe.torsion_solve import solve, unknowns
+from varistiff.fe.torsion_solve import solve
 from varistiff.sections import P3G, Circle, SplinedTube, Square
 
 pytest.importorskip("ngsolve")

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import shapely
 import xarray as xr
 
 from varistiff.actuators.torsion_tube import TorsionTube
@@ -21,7 +22,7 @@ from varistiff.report.html import one_line
 from varistiff.report.mechanism import draw_mechanism
 from varistiff.report.mechanism.element_view import Edges, edges_of, seen_from_the_side, silhouette
 from varistiff.report.section_field import section_field
-from varistiff.report.section_path import section_loops
+from varistiff.report.section_path import contains, section_loops
 from varistiff.sections import (
     P3G,
     P4C,
@@ -82,6 +83,16 @@ def test_every_section_has_its_pictures(name: str) -> None:
     for drawing in (mechanism, stress):
         assert drawing.svg().startswith("<svg")
         assert drawing.caption.endswith(".")
+
+
+@pytest.mark.parametrize("name", SECTIONS)
+def test_points_of_a_grid_lie_inside_where_shapely_says(name: str) -> None:
+    loops = SECTIONS[name].outline().polylines()
+    low, high = loops[0].min(axis=0), loops[0].max(axis=0)
+    x, y = (np.linspace(a - 0.0003, b + 0.0004, 83) for a, b in zip(low, high, strict=True))
+    whole = shapely.Polygon(loops[0], loops[1:])
+    expected = shapely.contains_xy(whole, *(part.ravel() for part in np.meshgrid(x, y))).reshape(y.size, x.size)
+    assert np.array_equal(contains(loops, x, y), expected)
 
 
 @pytest.mark.parametrize("name", [name for name in SECTIONS if name not in ("sharp", "angle")])

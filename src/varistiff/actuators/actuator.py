@@ -58,6 +58,7 @@ class Actuator(eqx.Module):
     references: ClassVar[tuple[str, ...]]  # keys of varistiff.core.citations
     details: ClassVar[dict[str, Quantity]] = {}
     broken_assumption: ClassVar[str] = ""  # what ``outside_validity`` means for this kind, one clause
+    loses_contact: ClassVar[bool] = False  # whether the element can be free of load over a range: ``no_contact``
 
     @property
     @abstractmethod

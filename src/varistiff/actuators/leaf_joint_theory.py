@@ -11,6 +11,7 @@ import jax.numpy as jnp
 
 from varistiff.actuators.actuator import Field, Mask
 from varistiff.elastic.leaf import Leaf
+from varistiff.elastic.lemniscate import circular
 from varistiff.elastic.linear_cantilever import linear_cantilever
 from varistiff.elastic.link_contact import link_contact, mirrored
 
@@ -52,17 +53,21 @@ class SmallDeflection(LeafJointTheory):
         """Closed forms; dV/dl_1 = -N E b h^3 (1 - cos phi)(l_1^2 + 4 r_2 l_1 + 3 r_2^2)/(4 l_1^4)."""
         phi = deflection
         radius = clamp_radius + length
-        scale = 3.0 * count * leaf.flexural_rigidity / length**3
-        versine = 2.0 * jnp.sin(0.5 * phi) ** 2
-        single = linear_cantilever(radius * jnp.tan(phi), length, jnp.asarray(leaf.flexural_rigidity))
+        inverse = 1.0 / length
+        scale = 3.0 * count * leaf.flexural_rigidity * inverse * inverse * inverse
+        # one sine and cosine, of the half angle, carry everything: a time loop spends most of its time here
+        half_sine, half_cosine = circular(0.5 * phi)
+        versine = 2.0 * half_sine * half_sine
+        sine, cosine = 2.0 * half_sine * half_cosine, 1.0 - versine
+        single = linear_cantilever(radius * sine / cosine, length, jnp.asarray(leaf.flexural_rigidity))
         return LeafJointState(
             exists=jnp.ones_like(phi, dtype=bool),
             # tan(phi) is small again near half a turn
             valid=(jnp.abs(single.rotation) <= ROTATION_LIMIT) & (jnp.abs(phi) < 0.5 * math.pi),
             energy=scale * radius**2 * versine,
-            load=scale * radius**2 * jnp.sin(phi),
-            stiffness=scale * radius**2 * jnp.cos(phi),
-            thrust=-scale * versine * radius * (length + 3.0 * clamp_radius) / length,
+            load=scale * radius**2 * sine,
+            stiffness=scale * radius**2 * cosine,
+            thrust=-scale * versine * radius * (length + 3.0 * clamp_radius) * inverse,
             rotation=single.rotation,
             force=jnp.abs(single.force),
             curvature=jnp.abs(single.root_curvature),

@@ -31,6 +31,7 @@ class Maccepa(Actuator):
 
     kind: ClassVar[str] = "maccepa"
     deflection_unit: ClassVar[str] = "rad"
+    loses_contact: ClassVar[bool] = True
     references: ClassVar[tuple[str, ...]] = ("van_ham_2007",)
 
     spring_rate: float

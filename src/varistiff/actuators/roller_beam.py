@@ -44,6 +44,7 @@ class RollerBeam(Actuator):
     deflection_unit: ClassVar[str] = "rad"
     references: ClassVar[tuple[str, ...]] = ("dos_santos_2019",)
     broken_assumption: ClassVar[str] = "both rollers of the fixed pair would bear on the beam"
+    loses_contact: ClassVar[bool] = True
     details: ClassVar[dict[str, Quantity]] = {
         "contact_slope": Quantity("slope of the beam at the contact", "rad"),
         "contact_force": Quantity("contact force normal to the beam", "N"),

@@ -140,7 +140,7 @@ def verify(
 
     loaded = load(design, materials=materials)
     if step is not None:
-        _refuse_overwriting(step, {"the design": design})
+        _refuse_overwriting(step, {"the design": design}, option="--step")
         write_element(loaded, step)
         return
     directory = output if output is not None else f"{Path(design).stem}_verification"
@@ -156,36 +156,64 @@ def verify(
 
 
 @app.command()
-def validate(
-    designs: Annotated[list[str], typer.Argument(metavar="DESIGN...", help="Design files.", show_default=False)],
+def simulate(
+    scenario: Annotated[str, typer.Argument(metavar="SCENARIO", help="Scenario file (YAML).", show_default=False)],
+    output: Annotated[
+        str | None,
+        typer.Option("--output", "-o", metavar="DIR", help="Directory for the results. [default: SCENARIO_simulation]"),
+    ] = None,
     materials: MaterialsFile = None,
 ) -> None:
-    """Check design files without computing anything."""
+    """Set a design in motion: control, drives, energy, and a report."""
     from varistiff.cli.log import warn
-    from varistiff.design.design import load
+    from varistiff.cli.simulation import report_simulation
+    from varistiff.design.scenario import load_scenario
+
+    loaded = load_scenario(scenario, materials=materials)
+    warn(loaded.design)
+    directory = output if output is not None else f"{Path(scenario).stem}_simulation"
+    status = report_simulation(loaded, directory)
+    if status:
+        raise typer.Exit(status)
+
+
+@app.command()
+def validate(
+    files: Annotated[
+        list[str], typer.Argument(metavar="FILE...", help="Design and scenario files.", show_default=False)
+    ],
+    materials: MaterialsFile = None,
+) -> None:
+    """Check design and scenario files, and build what they state."""
+    from varistiff.cli.log import warn
+    from varistiff.cli.validation import checked
 
     wrong = 0
-    for path in designs:
+    for path in files:
         try:
-            loaded = load(path, materials=materials)
+            design, line = checked(path, materials)
         except InputError as error:
             wrong += 1
             print(f"varistiff: {error}", file=sys.stderr)
             continue
-        warn(loaded)
-        print(f"{loaded.path}: ok: {loaded.name} ({loaded.kind}), hash {loaded.hash[:12]}")
+        warn(design)
+        print(line)
     if wrong:
         raise typer.Exit(2)
 
 
 @app.command()
-def schema() -> None:
-    """Print the JSON schema of design files, for editors."""
+def schema(
+    scenario: Annotated[bool, typer.Option("--scenario", help="Of scenario files, in place of design files.")] = False,
+) -> None:
+    """Print the JSON schema of design or scenario files, for editors."""
     import json
 
-    from varistiff.design.spec import json_schema
-
-    print(json.dumps(json_schema(), indent=2))
+    if scenario:
+        from varistiff.design.scenario_spec import scenario_json_schema as written
+    else:
+        from varistiff.design.spec import json_schema as written
+    print(json.dumps(written(), indent=2))
 
 
 @app.command("materials")
@@ -202,11 +230,11 @@ def list_materials(
         print(line)
 
 
-def _refuse_overwriting(output: str, inputs: dict[str, str]) -> None:
+def _refuse_overwriting(output: str, inputs: dict[str, str], *, option: str = "--output") -> None:
     for name, path in inputs.items():
         try:
             same = Path(output).samefile(path)
         except (OSError, ValueError):  # the output does not exist yet, or never can: writing it says so
             same = False
         if same:
-            raise InputError(f"is {name} itself; choose another --output", file=output)
+            raise InputError(f"is {name} itself; choose another {option}", file=output)

@@ -66,18 +66,22 @@ def write_element(design: Design, path: str) -> None:
 
     tube, wanted = design.actuator, design.spec.verification
     if not isinstance(tube, TorsionTube):
-        raise InputError(f"a {design.kind} has no element to write; allowed: torsion_tube", field="--step")
+        problem = f"a {design.kind} has no element to write; allowed: torsion_tube"
+        raise InputError(problem, file=design.path, field="--step")
     if not math.isfinite(tube.length):
         raise InputError(
             "is missing; the STEP file needs the element's length", file=design.path, field="actuator.length"
         )
-    deviation = write_step(
-        tube.section,
-        length=tube.length,
-        path=path,
-        flange_radius=wanted.flange_radius if wanted else None,
-        flange_thickness=wanted.flange_thickness if wanted else None,
-    )
+    try:
+        deviation = write_step(
+            tube.section,
+            length=tube.length,
+            path=path,
+            flange_radius=wanted.flange_radius if wanted else None,
+            flange_thickness=wanted.flange_thickness if wanted else None,
+        )
+    except InputError as error:  # about the file that was to be written, or else the design
+        raise error.located(file=design.path) from None
     print(f"The elastic element is in {path}")
     if deviation > 0.0:
         print(f"Curves are interpolated to {1e6 * deviation:.2g} micrometres; lines and arcs are exact.")

@@ -66,6 +66,41 @@ MASS = Kind("a mass", "0.5 kg", "kg", (_measures(mass=1),))
 TIME = Kind("a time", "20 ms", "s", (_measures(time=1),))
 FREQUENCY = Kind("a frequency", "5 Hz", "Hz", (_measures(frequency=1),))
 ANGULAR_RATE = Kind("an angular rate", "30 rad/s", "rad/s", (_measures(angle=1, time=-1),))
+# of a gain; unlike a frequency or an angular rate it counts nothing
+PER_TIME = Kind("a number per time", "20 s^-1", "1/s", (_measures(time=-1),))
+VELOCITY = Kind("a velocity", "0.2 m/s", "m/s", (_measures(length=1, time=-1),))
+MOMENT_OF_INERTIA = Kind("a moment of inertia", "0.05 kg*m^2", "kg*m^2", (_measures(mass=1, length=2),))
+LINEAR_DAMPING = Kind("a linear damping", "20 N*s/m", "N*s/m", (_measures(force=1, length=-1, time=1),))
+ROTATIONAL_DAMPING = Kind(
+    "a rotational damping",
+    "0.1 N*m*s/rad",
+    "N*m*s/rad",
+    (_measures(force=1, length=1, angle=-1, time=1), _measures(energy=1, angle=-2, time=1)),
+)
+# gains of an integral
+LINEAR_STIFFNESS_RATE = Kind(
+    "a linear stiffness per time", "200 N/m/s", "N/m/s", (_measures(force=1, length=-1, time=-1),)
+)
+ROTATIONAL_STIFFNESS_RATE = Kind(
+    "a rotational stiffness per time",
+    "40 N*m/rad/s",
+    "N*m/rad/s",
+    (_measures(force=1, length=1, angle=-1, time=-1), _measures(energy=1, angle=-2, time=-1)),
+)
+# damping of a stop over its stiffness
+TIME_PER_ANGLE = Kind("a time per angle", "0.4 s/rad", "s/rad", (_measures(time=1, angle=-1),))
+TIME_PER_LENGTH = Kind("a time per length", "0.4 s/m", "s/m", (_measures(time=1, length=-1),))
+LENGTH_PER_ANGLE = Kind("a length per angle", "0.5 mm/deg", "m/rad", (_measures(length=1, angle=-1),))
+VOLTAGE = Kind("a voltage", "24 V", "V", (_measures(voltage=1),))
+CURRENT = Kind("a current", "5 A", "A", (_measures(current=1),))
+RESISTANCE = Kind("a resistance", "0.3 ohm", "ohm", (_measures(resistance=1), _measures(voltage=1, current=-1)))
+CAPACITANCE = Kind("a capacitance", "100 F", "F", (_measures(capacitance=1),))
+CHARGE = Kind("a charge", "2 Ah", "C", (_measures(charge=1), _measures(current=1, time=1)))
+POWER = Kind("a power", "70 W", "W", (_measures(power=1), _measures(energy=1, time=-1)))
+TORQUE_CONSTANT = Kind("a torque constant", "30.2 mNm/A", "N*m/A", (_measures(force=1, length=1, current=-1),))
+TEMPERATURE_DIFFERENCE = Kind("a temperature difference", "100 K", "K", (_measures(temperature=1),))
+PER_TEMPERATURE = Kind("a number per temperature", "0.00393 K^-1", "1/K", (_measures(temperature=-1),))
+THERMAL_RESISTANCE = Kind("a thermal resistance", "4.5 K/W", "K/W", (_measures(temperature=1, power=-1),))
 
 KINDS = (
     LENGTH,
@@ -81,6 +116,26 @@ KINDS = (
     TIME,
     FREQUENCY,
     ANGULAR_RATE,
+    PER_TIME,
+    VELOCITY,
+    MOMENT_OF_INERTIA,
+    LINEAR_DAMPING,
+    ROTATIONAL_DAMPING,
+    LINEAR_STIFFNESS_RATE,
+    ROTATIONAL_STIFFNESS_RATE,
+    TIME_PER_ANGLE,
+    TIME_PER_LENGTH,
+    LENGTH_PER_ANGLE,
+    VOLTAGE,
+    CURRENT,
+    RESISTANCE,
+    CAPACITANCE,
+    CHARGE,
+    POWER,
+    TORQUE_CONSTANT,
+    TEMPERATURE_DIFFERENCE,
+    PER_TEMPERATURE,
+    THERMAL_RESISTANCE,
 )
 
 

@@ -40,10 +40,20 @@ _PREFIXES = {
     "Pa": "hkMGT",
     "J": "n" + _MICRO + "mkM",
     "Hz": "mkM",
+    "V": _MICRO + "mk",
+    "A": _MICRO + "m",
+    "ohm": _MICRO + "mk",
+    "\u03a9": _MICRO + "mk",
+    "\u2126": _MICRO + "mk",
+    "F": "n" + _MICRO + "m",
+    "C": _MICRO + "m",
+    "Ah": "m",
+    "W": "mk",
+    "K": "m",
 }
 
 _PLAIN_SIGNS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻·⋅", "0123456789-**")
-_FACTOR = re.compile(r"([A-Za-z\u00b5\u03bc\u00b0]+)(?:(?:\^|\*\*)?([+-]?[0-9]+))?")
+_FACTOR = re.compile(r"([A-Za-z\u00b5\u03bc\u00b0\u03a9\u2126]+)(?:(?:\^|\*\*)?([+-]?[0-9]+))?")
 _EXPRESSION = re.compile(rf"{_FACTOR.pattern}(?:(?: ?[*/] ?| ){_FACTOR.pattern})*")
 _LARGEST_POWER = 4
 

@@ -238,8 +238,8 @@ def _value(event: Any) -> Any:
     return text
 
 
-def one_document(documents: list[Any], file: str) -> Any:
-    """Return the only document of a file.
+def one_document(documents: list[Any], file: str, *, what: str = "design") -> Any:
+    """Return the only document of a file; ``what`` says in a message what one document is.
 
     Raises
     ------
@@ -251,6 +251,6 @@ def one_document(documents: list[Any], file: str) -> Any:
     shown = [printable(str(name)) if name is not None else "without a name" for name in names[:_MOST_DOCUMENTS]]
     more = ", ..." if len(names) > _MOST_DOCUMENTS else ""
     raise InputError(
-        f"holds {len(documents)} designs ({', '.join(shown)}{more}); allowed is one design per file",
+        f"holds {len(documents)} {what}s ({', '.join(shown)}{more}); allowed is one {what} per file",
         file=printable_path(file),
     )

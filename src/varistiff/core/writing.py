@@ -20,18 +20,22 @@ _DISK = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS)  # what a write s
 
 
 @contextlib.contextmanager
-def staged_file(target: str | os.PathLike[str]) -> Iterator[TextIO]:
+def staged_file(target: str | os.PathLike[str], *, option: str = "--output") -> Iterator[TextIO]:
     """Give a text stream whose content becomes ``target`` when the block ends well.
 
     On any failure, an interruption included, nothing is left beside the target, which is as it was; or new, where
     the interruption came after the swap. A target that is a device or a pipe is written to directly. An error of
     the block that is not about the output passes unchanged.
 
+    Parameters
+    ----------
+    option : that names the target on the command line
+
     Raises
     ------
     InputError : the target cannot be written, or the disk is full
     """
-    with _explained(target):
+    with _explained(target, option):
         if _is_special(Path(target)):  # asked first: /dev/stdout as a pipe resolves to a path that is none
             with Path(target).open("w", encoding="utf-8", newline="") as stream, _block(Path(target)):
                 yield stream
@@ -68,7 +72,7 @@ def staged_directory(target: str | os.PathLike[str]) -> Iterator[Path]:
     ------
     InputError : the target cannot be written, or the disk is full
     """
-    with _explained(target):
+    with _explained(target, "--output"):
         if Path(target).exists() and not Path(target).is_dir():
             raise InputError("is a file; allowed is the name of a directory", file=printable_path(str(target)))
         final = Path(os.path.realpath(target))
@@ -172,7 +176,7 @@ def _is_under(name: str, output: Path) -> bool:
 
 
 @contextlib.contextmanager
-def _explained(target: str | os.PathLike[str]) -> Iterator[None]:
+def _explained(target: str | os.PathLike[str], option: str) -> Iterator[None]:
     try:
         yield
     except _PassedError as passed:
@@ -181,4 +185,4 @@ def _explained(target: str | os.PathLike[str]) -> Iterator[None]:
         raise
     except OSError as error:
         file = printable_path(os.fspath(target))
-        raise InputError(f"cannot be written: {reason(error)}; choose another --output", file=file) from None
+        raise InputError(f"cannot be written: {reason(error)}; choose another {option}", file=file) from None

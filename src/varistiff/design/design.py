@@ -210,6 +210,24 @@ def load(path: str | os.PathLike[str], *, materials: str | os.PathLike[str] | No
     if not isinstance(path, str | os.PathLike):
         raise InputError(f"load takes the path of a design file, not a {type(path).__name__}")
     spec, text = read_spec(path)
+    return design_of(spec, text=text, path=path, materials=materials)
+
+
+def design_of(
+    spec: DesignSpec, *, text: str, path: str | os.PathLike[str], materials: str | os.PathLike[str] | None = None
+) -> Design:
+    """Return the design of a validated spec.
+
+    Parameters
+    ----------
+    spec, text : as they stand in a file
+    path : of that file; what the spec names lies relative to it
+    materials : as in ``load``
+
+    Raises
+    ------
+    InputError : a material or an outline that is wrong
+    """
     file = printable_path(os.fspath(path))
     own = _own_materials(spec, Path(path), materials)
     try:

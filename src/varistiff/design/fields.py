@@ -14,8 +14,8 @@ from varistiff.core.quantity import Kind
 from varistiff.core.quantity_units import atoms
 from varistiff.core.suggest import quoted
 
-_NUMBER = r"([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*"
-_ANY_UNIT = r"[A-Za-z\u00b5\u03bc\u00b0].*"
+NUMBER_PATTERN = r"([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*"
+_ANY_UNIT = r"[A-Za-z\u00b5\u03bc\u00b0\u03a9\u2126].*"
 
 Sign = Literal["any", "positive", "not negative"]
 
@@ -48,12 +48,12 @@ class QuantityOf:
         return {
             "type": "string",
             "description": description[0].upper() + description[1:],
-            "pattern": rf"^\s*{sign}{_NUMBER}({_units(self.kind)})\s*$",
+            "pattern": rf"^\s*{sign}{NUMBER_PATTERN}({unit_pattern(self.kind)})\s*$",
             "examples": [self.kind.example],
         }
 
 
-def _units(kind: Kind) -> str:
+def unit_pattern(kind: Kind) -> str:
     """Return a pattern for the units of a kind: exactly its symbols where it is measured directly."""
     direct = [symbol for symbol, unit in atoms().items() if unit.signature in kind.signatures]
     simple = all(len(signature) == 1 and signature[0][1] == 1 for signature in kind.signatures)

@@ -41,4 +41,4 @@ def validated(document: Any) -> DesignSpec:
     try:
         return DesignSpec.model_validate(document)
     except ValidationError as error:
-        raise translated(error, document) from None
+        raise translated(error) from None

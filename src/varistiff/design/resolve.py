@@ -10,10 +10,12 @@ from typing import Any
 
 from varistiff.core.errors import InputError
 from varistiff.core.quantity import LENGTH, parse_quantity
-from varistiff.core.suggest import quoted
+from varistiff.core.suggest import nearest, quoted
 from varistiff.design.section_spec import OutlineSpec, PolygonSpec
 from varistiff.design.spec import AnyActuatorSpec, LeafSpec, SliderLeafJointSpec, TorsionTubeSpec
 from varistiff.materials import Material, find_material
+
+_OUTLINES = (".csv", ".dxf")
 
 
 def resolved(
@@ -52,14 +54,23 @@ def _outlined(section: PolygonSpec, directory: Path) -> OutlineSpec:
         try:
             return OutlineSpec(loops=read_outline(directory / section.file, unit=_unit(section.unit)))
         except InputError as error:
-            if error.field in ("unit", "file") and error.file is None:
+            if error.file is None:  # about the design's own fields unit and file
                 raise InputError(error.problem, field=f"actuator.section.{error.field}") from None
-            raise
+            said = ": ".join(part for part in (error.file, error.field, error.problem) if part)
+            raise InputError(said + _meant(directory / section.file), field="actuator.section.file") from None
     outlines = [section.points or [], *(section.holes or [])]
     try:
         return OutlineSpec(loops=check_loops(tuple(loop_of_points(corners) for corners in outlines)))
     except InputError as error:
         raise InputError(error.problem, field=f"actuator.section.{error.field or 'points'}") from None
+
+
+def _meant(path: Path) -> str:
+    """What a file that is not there may have been meant to be."""
+    if path.exists() or not path.parent.is_dir():
+        return ""
+    match = nearest(path.name, [other.name for other in path.parent.iterdir() if other.suffix.lower() in _OUTLINES])
+    return f" (did you mean {quoted(match)}?)" if match else ""
 
 
 def _unit(name: str | None) -> float | None:

@@ -138,8 +138,16 @@ class PolygonSpec(Part):
     shape: Literal["polygon"]
     points: Corners | None = Field(default=None, description="Corners of the outer outline")
     holes: list[Corners] | None = Field(default=None, max_length=100, description="Corners of each hole; optional")
-    file: Annotated[str, Field(min_length=1, description="CSV or DXF file, relative to this file")] | None = None
-    unit: Annotated[str, Field(min_length=1, description="Of the file's numbers, such as mm")] | None = None
+    file: Annotated[str, Field(min_length=1)] | None = Field(
+        default=None,
+        description="CSV file (columns x and y) or DXF drawing, in place of points; relative to the design file",
+        examples=["outline.csv"],
+    )
+    unit: Annotated[str, Field(min_length=1)] | None = Field(
+        default=None,
+        description="Of the numbers in that file; required for CSV, and for a DXF drawing that states none",
+        examples=["mm"],
+    )
 
     @model_validator(mode="after")
     def _one_source(self) -> PolygonSpec:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import equinox as eqx
+import jax
 import jax.numpy as jnp
 import numpy as np
 
@@ -27,6 +28,7 @@ from varistiff.fe.leaf_problem import Hold, LeafProblem, LeafResult, Motion, Sli
 
 _TAIL_WIDTHS = 1.0  # the free end is at rest after about one width
 _SHORT_TAIL = 0.05  # of the width: shorter ones are left out
+_free_shape = jax.jit(free_shape)  # unjitted, each call would compile its conditionals again
 _NEARLY_WRAPPED = 0.9  # of the cylinder's curvature: the solid bends a little tighter at its clamp
 
 
@@ -58,7 +60,9 @@ def beam_answer(actuator: Actuator, deflection: float, setting: float) -> tuple[
     response, details = respond_block(actuator, np.array([float(deflection)]), np.array([float(setting)]))
     status = Status(int(response.status[0]))
     if status in (Status.NO_CONTACT, Status.OUTSIDE_VALIDITY) or not math.isfinite(float(response.load[0])):
-        raise InputError(f"status is {status.label} at deflection {deflection:g}, setting {setting:g}; {status.remedy}")
+        at = f"{_said(deflection, actuator.deflection_unit)} at the setting {_said(setting, actuator.setting_unit)}"
+        remedy = status.remedy[:1].lower() + status.remedy[1:].removesuffix(".")
+        raise InputError(f"{at} is {status.label}; allowed is a point with a load: {remedy}", field="deflection")
     numbers = BeamAnswer(
         load=float(response.load[0]),
         stiffness=float(response.stiffness[0]),
@@ -66,6 +70,10 @@ def beam_answer(actuator: Actuator, deflection: float, setting: float) -> tuple[
         stress=float(response.stress[0]),
     )
     return numbers, {name: float(values[0]) for name, values in details.items()}
+
+
+def _said(value: float, unit: str | None) -> str:
+    return f"{math.degrees(value):.6g} deg" if unit == "rad" else f"{1e3 * value:.6g} mm"
 
 
 def problems_of(
@@ -208,6 +216,6 @@ def _guard(law: LeafLaw, span: float, rise: float) -> float:
     """Radius of the protection cylinder that the leaf lies on [m], infinite where it lies on none."""
     if not isinstance(law, WrappedLeaf) or rise > 4.0 * law.protection_radius:
         return math.inf
-    shape = free_shape(jnp.asarray(span), jnp.asarray(rise))
+    shape = _free_shape(jnp.asarray(span), jnp.asarray(rise))
     tight = float(end_curvature(shape)) * law.protection_radius > _NEARLY_WRAPPED or float(shape.terms.cosine) < 0.0
     return float(law.protection_radius) if tight else math.inf

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import cached_property
 
+import jax
 import jax.numpy as jnp
 import numpy as np
 
@@ -30,6 +31,10 @@ _NUDGE = 1e-3  # of the contact's distance, for differences over the deflection
 
 Progress = Callable[[str], None]
 
+# compiled once: unjitted, each call would compile its conditionals again
+_roller_contact = jax.jit(roller_contact)
+_respond = jax.jit(lambda law, leaf, span, rise: law.respond(leaf, span, rise))
+
 
 class _Start:
     """The beam theory's answer: where Newton's method begins, half-width forces."""
@@ -45,7 +50,7 @@ class _Start:
 
     def _sliding(self, hold: SlidingContact) -> None:
         x, y, radius = (jnp.asarray(value) for value in (*hold.centre, hold.radius))
-        state = roller_contact(x, y, radius, jnp.asarray(self.problem.flexural_rigidity))
+        state = _roller_contact(x, y, radius, jnp.asarray(self.problem.flexural_rigidity))
         if not bool(state.touching):
             raise InputError(
                 "the roller does not touch the leaf; allowed is a point in contact", field=self.problem.name
@@ -62,7 +67,7 @@ class _Start:
         problem, span, rise = self.problem, 2.0 * hold.centre[0], 2.0 * hold.centre[1]
         leaf = Leaf(youngs_modulus=problem.youngs_modulus, width=problem.width, thickness=problem.thickness)
         law = WrappedLeaf(hold.guard_radius)
-        state = law.respond(leaf, jnp.asarray(span), jnp.asarray(rise))
+        state = _respond(law, leaf, jnp.asarray(span), jnp.asarray(rise))
         if not bool(state.exists):
             raise InputError("the leaf is beyond its hard stop; allowed is a point short of that", field=problem.name)
         line = law.centreline(leaf, span, rise, 801)[:401]
@@ -77,7 +82,7 @@ class _Start:
             raise InputError("the leaf has no span; allowed is a centre with x > 0", field=self.problem.name)
         problem = self.problem
         leaf = Leaf(youngs_modulus=problem.youngs_modulus, width=problem.width, thickness=problem.thickness)
-        state = GuidedLeaf().respond(leaf, jnp.asarray(span), jnp.asarray(rise))
+        state = _respond(GuidedLeaf(), leaf, jnp.asarray(span), jnp.asarray(rise))
         self.span, self.energy = 0.5 * float(state.arc_length), 0.5 * float(state.energy)
         force = leaf.flexural_rigidity * float(state.curvature_max) / hold.centre[0]
         line = GuidedLeaf().centreline(leaf, span, rise, 801)[:401]

@@ -64,8 +64,12 @@ def write_step(
         raise
     except Exception as error:  # OCC raises its own exceptions
         said = (str(error).strip() or type(error).__name__).splitlines()[0]
-        raise InputError(f"no solid can be made of the section: {said}") from None
-    with staged_file(path) as stream:
+        raise InputError(
+            f"no solid can be made of the section (the CAD kernel says: {said}); allowed is an outline without details "
+            "far smaller than the rest",
+            field="actuator.section",
+        ) from None
+    with staged_file(path, option="--step") as stream:
         stream.write(text)
     return deviation
 

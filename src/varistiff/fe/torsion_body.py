@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -95,9 +95,8 @@ class Body:
             self.plane, self.bearing_levels(), order=ORDER, is_bearing=bearing_faces(self.problem), bearing=span
         )
         if not any(element.mat == "bearing" for element in solid.mesh.Elements(import_ngsolve().BND)):
-            raise InputError(
-                "the rails have no flat flank; allowed are root fillets smaller than the rails", field="section"
-            )
+            problem = "the rails have no flat flank; allowed are root fillets smaller than the rails"
+            raise InputError(problem, field="actuator.section")
         return solid
 
     def elastic(self, solid: Solid, kind: Kind, *, turned: str = "", blocked: bool = False) -> ElasticSolid:
@@ -109,6 +108,38 @@ class Body:
     def sectors(self) -> int:
         """How many meshed sectors make the section."""
         return self.plane.copies * len(self.kinds)
+
+
+def bodies(problem: TorsionProblem, *, whole: bool = False) -> Iterator[Body]:
+    """The problem's meshes from coarse to fine, without those that cannot be made.
+
+    A long edge on the bore may cut through a wall that is thin beside it; on a finer mesh it no longer does.
+
+    Raises
+    ------
+    InputError : the section cannot be meshed at any level
+    """
+    failed: InputError | None = None
+    found = False
+    for level in LEVELS:
+        try:
+            body = Body(problem, level, whole=whole)
+        except InputError as error:
+            failed = error
+            continue
+        found = True
+        yield body
+    if failed is not None and not found:
+        raise failed
+
+
+def unknowns(body: Body, *, bearing: bool) -> int:
+    """Number of unknowns of a body's largest problem, from its mesh alone: exact for prisms of order 3."""
+    levels = body.bearing_levels() if bearing else body.flange_levels()
+    vertices, triangles, edges = len(body.plane.points), len(body.plane.triangles), len(body.plane.edges)
+    lines = (3 * triangles + edges) // 2
+    plane = vertices + 2 * lines + triangles  # order 3: two more per line, one per triangle
+    return 3 * plane * (3 * (len(levels) - 1) + 1)
 
 
 def centre(problem: TorsionProblem) -> tuple[float, float]:

@@ -215,7 +215,7 @@ def _triangulate(
 
     chords: list[tuple[int, float, float]] = []
     geometry, scale = SplineGeometry(), 1.0 / size  # netgen's tolerances are absolute: lengths of order 1
-    number = 0
+    number, rings = 0, []
     for loop in loops:
         starts = [(number + k, t) for k, _ in enumerate(loop) for t in grids[number + k][:-1]]
         ends = [t for k, _ in enumerate(loop) for t in grids[number + k][1:]]
@@ -227,14 +227,16 @@ def _triangulate(
             geometry.Append(["line", names[k], names[after]], bc=len(chords) + 1, maxh=1.5 * length)
             chords.append((side, begin, end))
         number += len(loop)
+        rings.append(corner)
+    _require_uncrossed(rings)
     try:
         mesh = geometry.GenerateMesh(maxh=1.0, grading=_GROWTH, quad_dominated=False)
     except Exception as error:  # netgen raises its own exceptions
-        raise InputError(f"the section cannot be meshed: {_first_line(error)}") from None
+        raise _unmeshed(f"Netgen says: {_first_line(error)}") from None
     points = np.array([point.p for point in mesh.Points()])[:, :2] / scale
     triangles = np.array([[v.nr - 1 for v in element.vertices] for element in mesh.Elements2D()], dtype=np.int64)
     if triangles.size == 0 or triangles.shape[1] != 3:
-        raise InputError("the section cannot be meshed: the mesher found no triangles")
+        raise _unmeshed("Netgen found no triangles")
     found = [
         (element.vertices[0].nr - 1, element.vertices[1].nr - 1, element.index - 1) for element in mesh.Elements1D()
     ]
@@ -265,9 +267,25 @@ def _on_boundary(
     (x1, y1), (x2, y2) = (corner[:, 1] - corner[:, 0]).T, (corner[:, 2] - corner[:, 0]).T
     twice = x1 * y2 - y1 * x2
     if np.any(np.abs(twice) <= 1e-12 * np.ptp(points) ** 2):
-        raise InputError("the section cannot be meshed: a triangle has no area")
+        raise _unmeshed("a triangle has no area")
     triangles = np.where(twice[:, None] > 0.0, triangles, triangles[:, ::-1])
     return points, triangles, found[:, :2], edge_sides, spans
+
+
+def _require_uncrossed(rings: list[list[Floats]]) -> None:
+    """Refuse a polygon whose edges cross, from which Netgen may not come back."""
+    from shapely import Polygon
+
+    if not Polygon(rings[0], rings[1:]).is_valid:
+        raise _unmeshed("a straight edge along its boundary cuts through a wall or a gap")
+
+
+def _unmeshed(reason: str) -> InputError:
+    return InputError(
+        f"the section cannot be meshed ({reason}); allowed is an outline without walls, gaps and details that are far "
+        "smaller than the rest",
+        field="actuator.section",
+    )
 
 
 def _first_line(error: BaseException) -> str:

@@ -81,7 +81,7 @@ class TorsionProblem:
         _require(self, "poissons_ratio", -0.9 <= self.poissons_ratio <= 0.49, "-0.9 to 0.49")
         _require(self, "bearing_clearance", 0.0 <= self.bearing_clearance < math.inf, "0 or more")
         inside = 0.0 <= self.active_length < self.length
-        rigid = self.active_length == 0.0 and self.bearing_kind != "flanks"
+        rigid = self.active_length == 0.0 and not turns_at_the_lock(self.section)
         _require(self, "active_length", inside, f"0 to below the element's length of {self.length:.6g} m")
         _require(self, "active_length", not rigid, "above 0: a rigid bearing that meets the rigid clamp does not turn")
         for name in ("flange_radius", "flange_thickness"):
@@ -96,10 +96,14 @@ class TorsionProblem:
     @property
     def bearing_kind(self) -> BearingKind:
         """Rails are driven at their flanks; a round outside has to be bonded; others fit a sleeve of their own form."""
-        shape = getattr(self.section, "shape", "")
-        if shape == "splined_tube":
+        if turns_at_the_lock(self.section):
             return "flanks"
-        return "bonded" if shape in ("circle", "hollow_circle") else "sleeve"
+        return "bonded" if getattr(self.section, "shape", "") in ("circle", "hollow_circle") else "sleeve"
+
+
+def turns_at_the_lock(section: TorsionSection) -> bool:
+    """Whether the section has rails, whose flanks give way under a pressure even where the bearing meets the clamp."""
+    return getattr(section, "shape", "") == "splined_tube"
 
 
 def _require(problem: TorsionProblem, name: str, condition: bool, allowed: str) -> None:

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from varistiff.core.errors import InputError
 from varistiff.fe import import_ngsolve
 from varistiff.fe.estimate import available_memory, direct_solver
-from varistiff.fe.torsion_body import LEVELS, ORDER, Body
+from varistiff.fe.torsion_body import ORDER, Body, bodies, unknowns
 from varistiff.fe.torsion_cases import Outcome, away, bearing_outcome, flange_outcome
 from varistiff.fe.torsion_problem import LoadCase, Progress, StressPeaks, TorsionProblem, TorsionResult
 from varistiff.fe.torsion_store import recall, remember
@@ -71,15 +71,6 @@ def solve(
     return result
 
 
-def unknowns(body: Body, *, bearing: bool) -> int:
-    """Number of unknowns of a body's largest problem, from its mesh alone: exact for prisms of order 3."""
-    levels = body.bearing_levels() if bearing else body.flange_levels()
-    vertices, triangles, edges = len(body.plane.points), len(body.plane.triangles), len(body.plane.edges)
-    lines = (3 * triangles + edges) // 2
-    plane = vertices + 2 * lines + triangles  # order 3: two more per line, one per triangle
-    return 3 * plane * (3 * (len(levels) - 1) + 1)
-
-
 def _settled(
     problem: TorsionProblem, text: str, run: Run, tolerance: float, limit: float, whole: bool,
     say: Progress, share: float, part: float,
@@ -88,17 +79,15 @@ def _settled(
     ng = import_ngsolve()
     before: Outcome | None = None
     errors: dict[str, float] = {}
-    for number, level in enumerate(LEVELS):
-        body = Body(problem, level, whole=whole)
+    for number, body in enumerate(bodies(problem, whole=whole)):
         estimate = direct_solver(unknowns(body, bearing=text != "end flange"), matrices=len(body.kinds))
         if estimate.memory > limit:
             raise InputError(
-                f"the 3-D check needs about {estimate.memory / 2**30:.1f} GiB for {estimate.unknowns} unknowns and has "
+                f"the 3-D check needs about {estimate.room} for {estimate.unknowns} unknowns and has "
                 f"{limit / 2**30:.1f} GiB{_reached(errors)}; allowed are a simpler section or a looser tolerance"
             )
         say(
-            f"{text}, mesh {number + 1}: {estimate.unknowns} unknowns, about {estimate.seconds:.0f} s "
-            f"and {estimate.memory / 2**30:.1f} GiB",
+            f"{text}, mesh {number + 1}: {estimate.unknowns} unknowns, about {estimate.time} and {estimate.room}",
             share + 0.3 * number * part,
         )
         with ng.TaskManager():
@@ -124,7 +113,7 @@ def _result(
         for name, stiffness in outcome.stiffness.items()
     )
     bearing = outcomes[-1]
-    body = Body(problem, LEVELS[0], whole=whole)
+    body = next(bodies(problem, whole=whole))
     torsion = outcomes[0].stress if len(outcomes) == 2 else math.nan
     modulus = float(problem.section.torsion_modulus)
     stress = StressPeaks(

@@ -12,7 +12,7 @@ from varistiff.actuators.torsion_tube import TorsionTube
 from varistiff.core.errors import InputError
 from varistiff.fe.comparison import Comparison, Floats, Method
 from varistiff.fe.end_fit import EndFit, fit_end_effect
-from varistiff.fe.torsion_problem import TorsionProblem, TorsionResult
+from varistiff.fe.torsion_problem import TorsionProblem, TorsionResult, turns_at_the_lock
 from varistiff.sections.hollow_circle import HollowCircle
 from varistiff.sections.splined_tube import SplinedTube
 
@@ -58,6 +58,12 @@ def torsion_problem(tube: TorsionTube, setting: float, hardware: TorsionHardware
     if not 0.0 <= setting < length:
         raise InputError(
             f"{1e3 * setting:.6g} mm is outside the element; allowed is 0 mm to below {1e3 * length:.6g} mm",
+            field="--setting",
+        )
+    if setting == 0.0 and not turns_at_the_lock(tube.section):
+        raise InputError(
+            f"0 mm is the rigid lock, where the bearing meets the clamp and no {tube.section.shape} turns; allowed is "
+            "above 0 mm, or a splined_tube, whose rails give way there",
             field="--setting",
         )
     return TorsionProblem(

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from varistiff.characteristic.datasheet import Datasheet
     from varistiff.design.design import Design
     from varistiff.report.html import Picture
+    from varistiff.report.style import Drawing
 
 MARKERS = ("map.nc", "datasheet.json", "report.html")  # a directory with all of them is a result of ours
 FILES = (*MARKERS, "datasheet.csv")
@@ -75,13 +76,13 @@ def analyse(design: Design, output: str | os.PathLike[str], *, progress: bool = 
 
 
 def _write_figures(design: Design, dataset: xr.Dataset, folder: Path, tell: _Tell) -> list[Picture]:
-    from varistiff.report.figures import draw_all, section_stress
+    from varistiff.report.figures import draw_all
     from varistiff.report.html import Picture
     from varistiff.report.mechanism import draw_mechanism
 
     folder.mkdir()
     pictures = []
-    first, last = draw_mechanism(design.actuator, dataset), section_stress.draw(design.actuator, dataset)
+    first, last = draw_mechanism(design.actuator, dataset), _section_stress(design, dataset)
     for drawing in (drawing for drawing in (first, *draw_all(dataset), last) if drawing is not None):
         tell(f"figure {drawing.name}")
         svg = drawing.svg()
@@ -89,6 +90,14 @@ def _write_figures(design: Design, dataset: xr.Dataset, folder: Path, tell: _Tel
         drawing.save_png(folder / f"{drawing.name}.png")
         pictures.append(Picture(drawing.name, drawing.title, drawing.caption, svg))
     return pictures
+
+
+def _section_stress(design: Design, dataset: xr.Dataset) -> Drawing | None:
+    if design.kind != "torsion_tube":
+        return None
+    from varistiff.report.figures import section_stress  # SciPy, which the other kinds do without
+
+    return section_stress.draw(design.actuator, dataset)
 
 
 def _write_report(design: Design, dataset: xr.Dataset, sheet: Datasheet, pictures: list[Picture], folder: Path) -> None:

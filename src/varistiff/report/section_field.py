@@ -49,14 +49,14 @@ def section_field(section: Section) -> SectionField:
     pitch = float((high - low).max()) / PIXELS
     x, y = (np.arange(a + 0.5 * pitch, b, pitch) for a, b in zip(low, high, strict=True))
     grid = np.stack(np.meshgrid(x, y), axis=-1)
-    inside = contains(loops, grid)
+    inside = contains(loops, x, y)
     fine = solution.nodes.weight.size * float(inside.sum())  # the whole boundary, but one sector's points
     coarse = pitch * max(1.0, math.sqrt(fine / WORK))
     folded = _folded(outline, grid[inside])
     start, stop = folded.min(axis=0) - 2.0 * coarse, folded.max(axis=0) + 2.0 * coarse
     sample_x, sample_y = (np.arange(a, b + coarse, coarse) for a, b in zip(start, stop, strict=True))
     samples = np.stack(np.meshgrid(sample_x, sample_y), axis=-1)
-    own = contains(loops, samples)
+    own = contains(loops, sample_x, sample_y)
     if outline.rotations > 1 or outline.mirror:  # points far outside the sector are of no use
         own &= _near_sector(outline, samples, 2.0 * coarse)
     size = np.full(own.shape, np.nan)

@@ -29,13 +29,18 @@ def section_path(loops: list[Array], *, angle: float = 0.0, centre: tuple[float,
     return Path(points, codes)
 
 
-def contains(loops: list[Array], points: Array) -> npt.NDArray[np.bool_]:
-    """Whether points of shape (..., 2) lie in the section and not in a hole; matplotlib fills holes here."""
-    flat = points.reshape(-1, 2)
-    inside = Path(loops[0]).contains_points(flat)
-    for hole in loops[1:]:
-        inside &= ~Path(hole).contains_points(flat)
-    found: npt.NDArray[np.bool_] = inside.reshape(points.shape[:-1])
+def contains(loops: list[Array], x: Array, y: Array) -> npt.NDArray[np.bool_]:
+    """Whether the points of a grid, x ascending, lie in the section and not in a hole; shape (y.size, x.size).
+
+    Each row counts how often it crosses the boundary up to a point: far quicker than asking point by point.
+    """
+    starts, ends = (np.concatenate([loop[part] for loop in loops]) for part in (slice(None, -1), slice(1, None)))
+    found = np.empty((y.size, x.size), dtype=np.bool_)
+    for row, height in enumerate(y):
+        crossing = (starts[:, 1] <= height) != (ends[:, 1] <= height)
+        a, b = starts[crossing], ends[crossing]
+        at = a[:, 0] + (height - a[:, 1]) / (b[:, 1] - a[:, 1]) * (b[:, 0] - a[:, 0])
+        found[row] = np.searchsorted(np.sort(at), x) % 2 == 1
     return found
 
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -11,6 +12,7 @@ import numpy as np
 
 from varistiff.core.errors import InputError
 from varistiff.core.status import Status
+from varistiff.report.display import display
 
 if TYPE_CHECKING:
     from varistiff.design.design import Design
@@ -66,7 +68,6 @@ def verify(
     ------
     InputError : a kind without a solid, a setting outside, NGSolve missing, no convergence, an output in the way
     """
-    from varistiff.characteristic.provenance import provenance
     from varistiff.core.citations import citation
     from varistiff.core.writing import check_directory
     from varistiff.fe import import_ngsolve
@@ -86,7 +87,7 @@ def verify(
     unit = design.setting_unit or ""
     comparison = replace(comparison, assumptions=(*assumed, *comparison.assumptions), measured=measured)
     about = {key: str(value) for key, value in design.attributes.items()}
-    about |= {key: str(value) for key, value in provenance(design.actuator, packages=("ngsolve", "numpy")).items()}
+    about |= _provenance(design)
     about["sources"] = "; ".join(str(citation(key)) for key in design.actuator.references)
     write_verification(comparison, output, about={**about, "method": method}, setting_unit=unit)
     return Verification(comparison, ends, table_rows(comparison, unit))
@@ -96,6 +97,17 @@ LEAF_METHOD = (
     "Solid of the leaf with large rotations and small strains (Saint Venant-Kirchhoff), hexahedra of high order, "
     "frictionless contact, Newton's method; refined until the load settles."
 )
+
+
+def _provenance(design: Design) -> dict[str, str]:
+    """As of a map, without what only a point's status needs, and with the unit that a map's variables have."""
+    from varistiff.characteristic.provenance import provenance
+
+    found = provenance(design.actuator, packages=("ngsolve", "numpy"))
+    del found["broken_assumption"]
+    if "strength" in found:
+        found["strength"] = f"{found['strength']:.6g} Pa"
+    return {key: str(value) for key, value in found.items()}
 
 
 def poissons_ratio(design: Design) -> tuple[float, tuple[str, ...]]:
@@ -142,19 +154,24 @@ def _torsion(
     design: Design, settings: Sequence[float], ratio: float, tolerance: float, tell: Tell
 ) -> tuple[Comparison, dict[str, EndFit], str]:
     from varistiff.actuators.torsion_tube import TorsionTube
+    from varistiff.fe.torsion_estimate import torsion_outlook
     from varistiff.fe.torsion_problem import TorsionProblem, TorsionResult
     from varistiff.fe.torsion_solve import solve
-    from varistiff.fe.verify_torsion import compare_torsion, fitted_ends
+    from varistiff.fe.verify_torsion import compare_torsion, fitted_ends, torsion_problem
 
     tube = design.actuator
     assert isinstance(tube, TorsionTube)  # by its kind
     parts, assumed = hardware(design, ratio)
-    count = len(set(settings))
+    with _located(design):
+        problems = [torsion_problem(tube, setting, parts) for setting in sorted(set(settings))]
+        tell(torsion_outlook(problems, tolerance=tolerance))
 
     def solved(number: int, problem: TorsionProblem) -> TorsionResult:
-        where = f"setting {number + 1} of {count}, {1e3 * problem.active_length:.4g} mm"
+        at = f"{1e3 * problem.active_length:.4g} mm"
+        where = f"setting {number + 1} of {len(problems)}, {at}"
         tell(where)
-        return solve(problem, tolerance=tolerance, progress=lambda text, share: tell(f"{where}: {text}"))
+        with _located(design, f"setting {at}"):
+            return solve(problem, tolerance=tolerance, progress=lambda text, share: tell(f"{where}: {text}"))
 
     comparison, results = compare_torsion(tube, settings, solved, parts)
     ends = fitted_ends(tube, comparison)
@@ -170,26 +187,41 @@ def _leaves(
     tell: Tell,
 ) -> Comparison:
     from varistiff.fe.leaf_check import LeafCheck, check
+    from varistiff.fe.leaf_estimate import leaf_outlook
     from varistiff.fe.verify_leaf import compare_leaves
 
     if deflections:
         points = [(deflection, setting) for setting in settings for deflection in deflections]
     else:
         points = [(_largest_deflection(design, setting), setting) for setting in settings]
+    with _located(design):
+        tell(leaf_outlook(design.actuator, points, poissons_ratio=ratio, tolerance=tolerance))
 
     def solved(number: int, deflection: float, setting: float) -> LeafCheck:
         where = f"point {number + 1} of {len(points)}"
         tell(where)
-        return check(
-            design.actuator,
-            deflection,
-            setting,
-            poissons_ratio=ratio,
-            tolerance=tolerance,
-            progress=lambda text: tell(f"{where}: {text}"),
-        )
+        with _located(design, where):
+            return check(
+                design.actuator,
+                deflection,
+                setting,
+                poissons_ratio=ratio,
+                tolerance=tolerance,
+                progress=lambda text: tell(f"{where}: {text}"),
+            )
 
     return compare_leaves(design.actuator, points, solved)
+
+
+@contextmanager
+def _located(design: Design, where: str = "") -> Iterator[None]:
+    """Let an error of the block say which design, point and option it is about."""
+    try:
+        yield
+    except InputError as error:
+        option = error.field in ("deflection", "setting")
+        field = f"--{error.field}" if option else ", ".join(part for part in (where, error.field) if part)
+        raise InputError(error.problem, file=error.file or design.path, field=field or None) from None
 
 
 def _largest_deflection(design: Design, setting: float) -> float:
@@ -201,4 +233,6 @@ def _largest_deflection(design: Design, setting: float) -> float:
         if usable.size:
             far = np.abs(usable)
             return float(usable[far >= (1.0 - 1e-9) * far.max()].max())  # of two sides the positive one
-    raise InputError(f"no deflection of the design's range has numbers at the setting {setting:.6g}", field="--setting")
+    shown = display(design.setting_unit or "").text(setting)
+    problem = f"no deflection of the design's range has numbers at {shown}; allowed is a setting where one has"
+    raise InputError(problem, file=design.path, field="--setting")

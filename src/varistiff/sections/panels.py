@@ -3,24 +3,26 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from varistiff.core.errors import InputError
-from varistiff.sections.outline import Image, Outline, Points, Segment
+from varistiff.sections.outline import Image, Outline, Points, Segment, is_straight
 
 GRADING = 3.0  # ratio of neighbouring panels towards a corner
 TURN = math.pi / 3.0  # largest change of direction along one panel
 PACE = 2.0  # largest ratio of speeds along one panel
 SEPARATION = 1.7  # largest panel length over the distance to the rest of the boundary
 SMOOTH = 1e-3  # a corner flatter than this [rad] is a tangent joint, which drawings round to 1e-6 of a length
+ENDS = np.array([0.0, 1.0])
 SAMPLES = np.array([0.0, 0.07, 0.25, 0.5, 0.75, 0.93, 1.0])  # of a panel, to see what is near it
 NODES_MAX = 6000  # a dense matrix of 290 MB
+CROWDED = "has walls or gaps too thin, or too many corners, to be solved; allowed are thicker walls, or fewer corners"
 
 
 @dataclass(frozen=True)
@@ -89,67 +91,105 @@ def images(outline: Outline, position: Points, tangent: Points) -> list[Placed]:
     return found
 
 
-def place_nodes(outline: Outline, *, order: int, tolerance: float) -> Nodes:
+class Boundary(NamedTuple):
+    """What every placing of nodes on an outline needs to know of it, for its fundamental segments.
+
+    ``starts`` and ``chords`` [m], shape (n, 2); ``curved`` tells which are not their chords; ``angles`` holds the
+    interior ones at both ends, shape (n, 2), ``lengths`` [m] shape (n,); ``size`` is the bounding box's diagonal [m].
+    """
+
+    outline: Outline
+    segments: list[Segment]
+    curved: list[int]
+    starts: Points
+    chords: Points
+    lengths: NDArray[np.float64]
+    angles: NDArray[np.float64]
+    corners: tuple[Corner, ...]
+    size: float
+
+    def traced(self, parameters: Sequence[NDArray[np.float64]]) -> tuple[Points, Points]:
+        """Points and velocities at t on each segment, one segment after another, shapes (m, 2)."""
+        counts = [t.size for t in parameters]
+        velocity = np.repeat(self.chords, counts, axis=0)
+        point = np.repeat(self.starts, counts, axis=0) + np.concatenate(parameters)[:, None] * velocity
+        first = np.cumsum([0, *counts])
+        for number in self.curved:
+            own, segment, t = slice(*first[number : number + 2]), self.segments[number], parameters[number]
+            point[own], velocity[own] = segment.point(t), segment.velocity(t)
+        return point, velocity
+
+
+def boundary_of(outline: Outline) -> Boundary:
+    """The boundary of an outline."""
+    segments: list[Segment] = []
+    ends: list[Points] = []
+    angles: list[NDArray[np.float64]] = []
+    corners: list[Corner] = []
+    for number, piece in enumerate(outline.pieces):
+        joints = _interior_angles(outline, number)
+        points = np.array([segment.point(ENDS) for segment in piece])
+        segments += piece
+        ends.append(points)
+        angles.append(np.stack([joints[:-1], joints[1:]], axis=1))
+        places = [*points[:, 0].tolist(), points[-1, 1].tolist()]
+        corners += [Corner((x, y), angle) for (x, y), angle in zip(places, joints.tolist(), strict=True)]
+    starts, stops = np.concatenate(ends).transpose(1, 0, 2)
+    lengths = np.hypot(*(stops - starts).T)
+    curved = [number for number, segment in enumerate(segments) if not is_straight(segment)]
+    for number in curved:
+        lengths[number] = np.hypot(*np.diff(segments[number].point(np.linspace(0.0, 1.0, 9)), axis=0).T).sum()
+    sharp = tuple(corner for corner in corners if corner.is_sharp)
+    found = Boundary(outline, segments, curved, starts, stops - starts, lengths, np.concatenate(angles), sharp, 0.0)
+    return found._replace(size=_size(found))
+
+
+def place_nodes(boundary: Boundary, *, order: int, tolerance: float, limit: int = NODES_MAX) -> Nodes:
     """Return quadrature nodes for the fundamental pieces of a boundary.
 
     Parameters
     ----------
     order : nodes a panel
     tolerance : share of the result that the innermost panels at a corner may cost
+    limit : of the number of nodes
 
     Raises
     ------
-    InputError : the boundary comes so close to itself that too many panels would be needed
+    InputError : the boundary has so many corners, or comes so close to itself, that more nodes would be needed
     """
-    segments, ends, corners = _segments_and_corners(outline)
-    size = _size(outline)
-    breaks = [_breaks(segment, pair, tolerance, size) for segment, pair in zip(segments, ends, strict=True)]
-    breaks = _separated(outline, segments, breaks, _Rest(corners, size, tolerance, NODES_MAX // order))
+    levels = _levels(boundary, tolerance)
+    if levels.sum() + len(levels) > limit // order:
+        raise InputError(CROWDED)
+    breaks = [_breaks(segment, *pair) for segment, pair in zip(boundary.segments, levels.tolist(), strict=True)]
+    breaks = _separated(boundary, breaks, tolerance, limit // order)
     t, w = gauss(order)
-    parameters, position, tangent, weight = [], [], [], []
-    for segment, marks in zip(segments, breaks, strict=True):
-        low, width = marks[:-1], np.diff(marks)
-        at = (low[:, None] + width[:, None] * t).ravel()
-        parameters.append(at)
-        velocity = segment.velocity(at)
-        speed = np.hypot(velocity[:, 0], velocity[:, 1])
-        position.append(segment.point(at))
-        tangent.append(velocity / speed[:, None])
-        weight.append((width[:, None] * w).ravel() * speed)
-    return Nodes(
-        tuple(parameters), np.concatenate(position), np.concatenate(tangent), np.concatenate(weight), order, corners
-    )
+    parameters = [(marks[:-1, None] + np.diff(marks)[:, None] * t).ravel() for marks in breaks]
+    position, velocity = boundary.traced(parameters)
+    speed = np.hypot(*velocity.T)
+    width = np.concatenate([np.diff(marks) for marks in breaks])
+    weight = (width[:, None] * w).ravel() * speed
+    return Nodes(tuple(parameters), position, velocity / speed[:, None], weight, order, boundary.corners)
 
 
 def sharp_corners(outline: Outline) -> tuple[Corner, ...]:
     """Corners of an outline's fundamental pieces."""
-    return _segments_and_corners(outline)[2]
+    return boundary_of(outline).corners
 
 
-def _size(outline: Outline) -> float:
-    """Diagonal of the section's bounding box, wherever its origin lies [m]."""
-    t = np.linspace(0.0, 1.0, 17)
-    points = np.concatenate([segment.point(t) for segment in outline.pieces[0]])
-    whole = np.concatenate([placed.position for placed in images(outline, points, points)])
-    return float(np.hypot(*np.ptp(whole, axis=0)))
+def _size(boundary: Boundary) -> float:
+    """Length that goes with J by the fourth root, which is the diagonal of a square [m]: 2.3 (A^4/(40 Ip))^(1/4).
 
-
-def _segments_and_corners(outline: Outline) -> tuple[list[Segment], list[tuple[float, float]], tuple[Corner, ...]]:
-    """All fundamental segments, the interior angles at both ends of each, and the corners."""
-    segments: list[Segment] = []
-    ends: list[tuple[float, float]] = []
-    corners: list[Corner] = []
-    for number, piece in enumerate(outline.pieces):
-        before, after = _neighbours(outline, piece, 1.0 if number == 0 else -1.0)
-        chain = [before, *piece, after]
-        angles = [_interior_angle(one, two) for one, two in pairwise(chain)]
-        segments += piece
-        ends += list(pairwise(angles))
-        for segment, angle in zip(chain[1:], angles, strict=True):
-            x, y = segment.point(np.zeros(1))[0]
-            corners.append(Corner((float(x), float(y)), angle))
-    sharp = tuple(corner for corner in corners if corner.is_sharp)
-    return segments, ends, sharp
+    Saint-Venant's estimate of J from the area and the polar moment is low for tubes: the size is rather too small.
+    """
+    outline, (t, w) = boundary.outline, gauss(16)
+    point, velocity = boundary.traced([t] * len(boundary.segments))
+    flux = (point[:, 0] * velocity[:, 1] - point[:, 1] * velocity[:, 0]) * np.tile(w, len(boundary.segments))
+    copies = outline.rotations * (2 if outline.mirror else 1)
+    area = 0.5 * copies * float(flux.sum())
+    centroid = copies * (point * flux[:, None]).sum(axis=0) / (3.0 * area)
+    centroid *= [outline.rotations == 1, outline.rotations == 1 and not outline.mirror]
+    polar = 0.25 * copies * float(((point**2).sum(axis=1) * flux).sum()) - area * float(centroid @ centroid)
+    return 2.3 * area / (40.0 * polar) ** 0.25
 
 
 def _neighbours(outline: Outline, piece: tuple[Segment, ...], way: float) -> tuple[Segment, Segment]:
@@ -163,18 +203,25 @@ def _neighbours(outline: Outline, piece: tuple[Segment, ...], way: float) -> tup
     return Image(piece[0], step, mirrored=True), Image(piece[-1], 0.0, mirrored=True)
 
 
-def _interior_angle(one: Segment, two: Segment) -> float:
-    (ax, ay), (bx, by) = one.velocity(np.ones(1))[0], two.velocity(np.zeros(1))[0]
-    return math.pi - math.atan2(ax * by - ay * bx, ax * bx + ay * by)
+def _interior_angles(outline: Outline, number: int) -> NDArray[np.float64]:
+    """At the joints of a fundamental piece's segments, from its start to its end."""
+    piece = outline.pieces[number]
+    before, after = _neighbours(outline, piece, 1.0 if number == 0 else -1.0)
+    velocity = np.array([segment.velocity(ENDS) for segment in (before, *piece, after)]) @ [1.0, 1.0j]
+    found: NDArray[np.float64] = math.pi - np.angle(velocity[1:, 0] / velocity[:-1, 1])
+    return found
 
 
-def _breaks(segment: Segment, angles: tuple[float, float], tolerance: float, size: float) -> NDArray[np.float64]:
-    """Panel ends along one segment: short turns at an even pace, and geometric grading to both ends."""
-    share = _lengths(segment, np.array([0.0, 1.0]))[0] / size
-    first, last = (GRADING ** -np.arange(_levels(angle, tolerance, share), 0.0, -1.0) for angle in angles)
-    count = 2 if first.size or last.size else 1
-    marks = np.linspace(0.0, 1.0, count + 1)
-    marks = np.concatenate([[0.0], first / count, marks[1:-1], 1.0 - last[::-1] / count, [1.0]])
+def _breaks(segment: Segment, first: int, last: int) -> NDArray[np.float64]:
+    """Panel ends along one segment: short turns at an even pace, and so many geometric gradings to its ends."""
+    # the panel in the middle is as long beside its distance to a graded end as the others
+    outermost = 1.0 / (GRADING + 1.0) if first and last else 1.0 / GRADING
+    low, high = (outermost * GRADING ** np.arange(1.0 - levels, 1.0) for levels in (first, last))
+    marks = np.concatenate([[0.0], low, 1.0 - high[::-1], [1.0]])
+    if is_straight(segment):
+        return marks
+    if first or last:  # a curve bends in the middle too
+        marks = np.insert(marks, first + 1, 0.5 * (marks[first] + marks[first + 1]))
     for _ in range(40):
         uneven = _uneven(segment, marks)
         if not uneven.any():
@@ -197,75 +244,48 @@ def _uneven(segment: Segment, marks: NDArray[np.float64]) -> NDArray[np.bool_]:
     return found
 
 
-def _lengths(segment: Segment, marks: NDArray[np.float64]) -> NDArray[np.float64]:
-    points = segment.point(_inside(marks, 9)).reshape(-1, 9, 2)
-    return np.hypot(*np.diff(points, axis=1).transpose(2, 0, 1)).sum(axis=1)
+def _levels(boundary: Boundary, tolerance: float) -> NDArray[np.int_]:
+    """Gradings to both ends of each segment, shape (n, 2).
 
-
-def _levels(angle: float, tolerance: float, share: float) -> int:
-    """Gradings to an end: the energy within a distance h of a corner goes with h^(2 pi/angle).
-
-    ``share`` is the segment's length over the size of the section.
+    The energy within a distance h of a corner goes with h^(2 pi/angle). What a panel there costs of it goes with the
+    cube of a small bend: so weak is the singularity in the warping, its share of J, and what the two straight sides,
+    whose kernels vanish along themselves, see of each other.
     """
-    bend = abs(angle - math.pi)
-    if bend <= SMOOTH:
-        return 2  # the curvature may jump
-    exponent = 2.0 * math.pi / angle
-    energy = min(1.0, bend) * min(1.0, share) ** exponent
-    return max(0, math.ceil(math.log(energy / tolerance) / (exponent * math.log(GRADING))))
-
-
-class _Rest(NamedTuple):
-    """When splitting ends: at ``limit`` panels, and so near to a convex corner that what is there does not count."""
-
-    corners: tuple[Corner, ...]
-    size: float
-    tolerance: float
-    limit: int
-
-    def spared(self, outline: Outline, samples: Points) -> NDArray[np.bool_]:
-        """Which panels lie, whole, where the share of the energy is below the tolerance; samples of shape (n, m, 2)."""
-        found = np.zeros(len(samples), dtype=bool)
-        for corner in self.corners:
-            if not corner.is_reentrant:
-                reach = self.size * self.tolerance ** (corner.interior_angle / (2.0 * math.pi))
-                point = np.array([corner.point])
-                for placed in images(outline, point, point):
-                    found |= np.hypot(*(samples - placed.position[0]).transpose(2, 0, 1)).max(axis=1) < reach
-        return found
+    bend = np.abs(boundary.angles - math.pi)
+    exponent = 2.0 * math.pi / boundary.angles
+    share = np.minimum(1.0, boundary.lengths / boundary.size)[:, None]
+    loss = np.minimum(1.0, bend**3) * share**exponent
+    levels = np.ceil(np.log(np.maximum(loss / tolerance, 1.0)) / (exponent * math.log(GRADING)))
+    return np.where(bend > SMOOTH, levels, 2).astype(int)  # at a smooth joint the curvature may jump
 
 
 def _separated(
-    outline: Outline, segments: list[Segment], breaks: list[NDArray[np.float64]], rest: _Rest
+    boundary: Boundary, breaks: list[NDArray[np.float64]], tolerance: float, limit: int
 ) -> list[NDArray[np.float64]]:
     """Split panels until none is long beside its distance to the parts of the boundary that it does not touch."""
     for _ in range(60):
-        if sum(marks.size - 1 for marks in breaks) > rest.limit:
+        if sum(marks.size - 1 for marks in breaks) > limit:
             break
-        split = _too_long(outline, segments, breaks, rest)
-        if not any(mask.any() for mask in split):
+        split = _too_long(boundary, breaks, tolerance)
+        if not split.any():
             return breaks
+        cuts = np.cumsum([marks.size - 1 for marks in breaks])[:-1]
         breaks = [
             np.sort(np.concatenate([marks, (0.5 * (marks[:-1] + marks[1:]))[mask]]))
-            for marks, mask in zip(breaks, split, strict=True)
+            for marks, mask in zip(breaks, np.split(split, cuts), strict=True)
         ]
-    raise InputError(
-        "has walls or gaps too thin, or too many corners, to be solved; allowed are thicker walls, or fewer corners"
-    )
+    raise InputError(CROWDED)
 
 
-def _too_long(
-    outline: Outline, segments: list[Segment], breaks: list[NDArray[np.float64]], rest: _Rest
-) -> list[NDArray[np.bool_]]:
-    at = [(marks[:-1, None] + np.diff(marks)[:, None] * SAMPLES).ravel() for marks in breaks]
-    points = np.concatenate([segment.point(t) for segment, t in zip(segments, at, strict=True)])
-    tangents = np.concatenate([segment.velocity(t) for segment, t in zip(segments, at, strict=True)])
+def _too_long(boundary: Boundary, breaks: list[NDArray[np.float64]], tolerance: float) -> NDArray[np.bool_]:
+    """Which panels of all to split."""
+    points, tangents = boundary.traced([(m[:-1, None] + np.diff(m)[:, None] * SAMPLES).ravel() for m in breaks])
     tangents /= np.hypot(*tangents.T)[:, None]
     shape = (-1, SAMPLES.size, 2)
     samples = points.reshape(shape)
     length = np.hypot(*np.diff(samples, axis=1).transpose(2, 0, 1)).sum(axis=1)
     long = np.zeros(length.size, dtype=bool)
-    for placed in images(outline, points, tangents):
+    for placed in images(boundary.outline, points, tangents):
         source, tangent = placed.position.reshape(shape), placed.tangent.reshape(shape)
         # the middles tell which pairs can be near enough at all
         middle = samples[:, None, SAMPLES.size // 2] - source[None, :, SAMPLES.size // 2]
@@ -273,9 +293,24 @@ def _too_long(
         targets, sources = np.nonzero(length > SEPARATION * gap)
         reach = _reach(samples[targets], source[sources], tangent[sources], 1e-9 * float(length.max()))
         long[sources[length[sources] > SEPARATION * reach]] = True
-    long &= ~rest.spared(outline, samples)
-    cuts = np.cumsum([marks.size - 1 for marks in breaks])[:-1]
-    return list(np.split(long, cuts))
+    if long.any():
+        long[long] = ~_spared(boundary, samples[long], tolerance)
+    return long
+
+
+def _spared(boundary: Boundary, samples: Points, tolerance: float) -> NDArray[np.bool_]:
+    """Which panels lie, whole, so near to a convex corner that what is there does not count; samples (n, m, 2).
+
+    The share of the energy there is below the tolerance.
+    """
+    found = np.zeros(len(samples), dtype=bool)
+    for corner in boundary.corners:
+        if not corner.is_reentrant:
+            reach = boundary.size * tolerance ** (corner.interior_angle / (2.0 * math.pi))
+            point = np.array([corner.point])
+            for placed in images(boundary.outline, point, point):
+                found |= np.hypot(*(samples - placed.position[0]).transpose(2, 0, 1)).max(axis=1) < reach
+    return found
 
 
 def _reach(target: Points, source: Points, tangent: Points, touching: float) -> NDArray[np.float64]:

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from scipy.linalg import lu_factor, lu_solve
 
 from varistiff.sections.outline import Outline, Points
-from varistiff.sections.panels import Corner, Nodes, gauss, images, place_nodes
+from varistiff.sections.panels import Corner, Nodes, boundary_of, gauss, images, place_nodes
 
 Values = NDArray[np.float64]
 ORDER, TOLERANCE = 10, 1e-8
@@ -77,7 +77,7 @@ def solve_torsion(
     InputError : the boundary comes too close to itself
     """
     if nodes is None:
-        nodes = place_nodes(outline, order=order, tolerance=tolerance)
+        nodes = place_nodes(boundary_of(outline), order=order, tolerance=tolerance)
     area, centroid = _area_and_centroid(outline, nodes)
     nodes = nodes._replace(position=nodes.position - centroid)
     moments = _second_moments(outline, nodes)

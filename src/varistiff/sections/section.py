@@ -11,7 +11,6 @@ import equinox as eqx
 
 from varistiff.sections.outline import Outline
 from varistiff.sections.properties import SectionProperties
-from varistiff.sections.solved import solved_properties
 
 
 class Section(eqx.Module):
@@ -72,6 +71,8 @@ class SolvedSection(Section):
 
 @lru_cache(maxsize=256)
 def _kept(kind: type[SolvedSection], parameters: tuple[object, ...]) -> SectionProperties:
+    from varistiff.sections.solved import solved_properties  # SciPy, which closed forms do without
+
     return solved_properties(kind(*parameters).outline())
 
 

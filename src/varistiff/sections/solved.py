@@ -2,31 +2,40 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
+
 import numpy as np
 
 from varistiff.core.errors import InputError
 from varistiff.sections.outline import Outline, Points
-from varistiff.sections.panels import Nodes, gauss, images, place_nodes
+from varistiff.sections.panels import NODES_MAX, Boundary, Nodes, boundary_of, gauss, images, place_nodes
 from varistiff.sections.properties import SectionProperties
 from varistiff.sections.saint_venant import SaintVenant, Values, solve_torsion
 
-# nodes a panel and share of J given up at a corner; the finest that stays quick is used, the next one gives the error
-RUNGS = ((10, 1e-8), (8, 1e-6), (6, 1e-5), (4, 1e-4))
-QUICK = 1500  # nodes
+# nodes a panel and share of J given up at a corner, of a solution and of the coarser one that tells its error
+RUNGS = (
+    ((10, 1e-8), (8, 1e-6)),
+    ((8, 1e-6), (6, 3e-5)),
+    ((6, 1e-6), (4, 1e-5)),
+    ((6, 1e-5), (4, 1e-4)),
+    ((4, 1e-5), (3, 1e-4)),
+    ((4, 3e-5), (3, 3e-4)),
+    ((4, 1e-4), (3, 1e-3)),
+)
+QUICK = 1024  # nodes: of the rungs with fewer, the finest is used
 
 
 def solved_properties(outline: Outline) -> SectionProperties:
     """Solve torsion of an outline and return the section's properties.
 
-    The stated error is the difference in J from a coarser solution, which is larger than the error itself.
+    The stated error is the difference in J from a coarser solution, which is larger than the error itself. It is the
+    sum of the differences on every segment of the boundary: what one corner has too much hides nothing of another's.
 
     Raises
     ------
     InputError : walls or gaps too thin, or too many corners
     """
-    rung, nodes = _rung(outline)
-    fine = solve_torsion(outline, order=RUNGS[rung][0], tolerance=RUNGS[rung][1], nodes=nodes)
-    coarse = solve_torsion(outline, order=RUNGS[rung + 1][0], tolerance=RUNGS[rung + 1][1])
+    fine, coarse = (solve_torsion(outline, nodes=nodes) for nodes in rung_nodes(outline))
     peak, places = largest_stress(fine)
     return SectionProperties(
         area=fine.area,
@@ -36,21 +45,39 @@ def solved_properties(outline: Outline) -> SectionProperties:
         torsion_modulus=fine.torsion_constant / peak,
         stress_points=tuple((float(x), float(y)) for x, y in places),
         shear_centre=fine.shear_centre,
-        error=max(abs(coarse.torsion_constant / fine.torsion_constant - 1.0), 1e-14),
+        error=max(float(np.abs(_terms(coarse) - _terms(fine)).sum()) / fine.torsion_constant, 1e-14),
         method="boundary integral",
     )
 
 
-def _rung(outline: Outline) -> tuple[int, Nodes | None]:
-    """The finest rung whose boundary has few enough nodes, with them, or else the coarsest."""
-    for number, (order, tolerance) in enumerate(RUNGS[:-1]):
-        try:
-            nodes = place_nodes(outline, order=order, tolerance=tolerance)
-        except InputError:
-            continue
-        if nodes.weight.size <= QUICK:
-            return number, nodes
-    return len(RUNGS) - 2, None
+def rung_nodes(outline: Outline) -> tuple[Nodes, Nodes]:
+    """Nodes of the finest rung that stays quick, or else of the last one, and those of its coarser solution.
+
+    Raises
+    ------
+    InputError : walls or gaps too thin, or too many corners
+    """
+    boundary = boundary_of(outline)
+    *quick, last = RUNGS
+    for rung in quick:
+        with suppress(InputError):
+            return _placed(boundary, rung, QUICK)
+    return _placed(boundary, last, NODES_MAX)
+
+
+def _placed(boundary: Boundary, rung: tuple[tuple[int, float], tuple[int, float]], limit: int) -> tuple[Nodes, Nodes]:
+    fine, coarse = (place_nodes(boundary, order=order, tolerance=share, limit=limit) for order, share in rung)
+    return fine, coarse
+
+
+def _terms(solution: SaintVenant) -> Values:
+    """What J is the sum of [m^4]: the warping along each segment, and the polar moment."""
+    nodes, outline = solution.nodes, solution.outline
+    along = (nodes.position * nodes.tangent).sum(axis=1)
+    starts = np.cumsum([0, *(t.size for t in nodes.parameters[:-1])])
+    copies = outline.rotations * (2 if outline.mirror else 1)
+    warping = np.add.reduceat(solution.warping * along * nodes.weight, starts)
+    return np.append(-copies * warping, sum(solution.second_moments[:2]))
 
 
 def largest_stress(solution: SaintVenant) -> tuple[float, Points]:

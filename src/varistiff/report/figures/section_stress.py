@@ -86,7 +86,8 @@ def paint(axes: Axes, field: SectionField, *, torque: float, top: float, offset:
         interpolation="bilinear",
         zorder=2.0,
     )
-    edge = axes.add_patch(PathPatch(path, facecolor="none", edgecolor=INK, linewidth=1.0, zorder=3.0))
+    edge = PathPatch(path, facecolor="none", edgecolor=INK, linewidth=1.0, zorder=3.0)
+    axes.add_artist(edge)  # the axes have their limits: add_patch would look for the path's, slowly
     image.set_clip_path(edge)
     return image
 

@@ -127,9 +127,9 @@ def _section(
         rest = PathPatch(
             section_path(loops, centre=centre), facecolor="none", edgecolor=REST, linewidth=0.9, zorder=3.5
         )
-        axes.add_patch(rest)
+        axes.add_artist(rest)  # the axes have their limits: add_patch would look for the path's, slowly
     path = section_path(loops, angle=turned, centre=centre)
-    axes.add_patch(PathPatch(path, facecolor=METAL_LIGHT, edgecolor=INK, linewidth=1.2, zorder=3.0))
+    axes.add_artist(PathPatch(path, facecolor=METAL_LIGHT, edgecolor=INK, linewidth=1.2, zorder=3.0))
     for pose, angle in zip(poses, angles, strict=True):
         direction = np.array([math.cos(angle), math.sin(angle)])
         line = np.stack([middle, middle + reach * outer * direction])
@@ -144,4 +144,4 @@ def _bearing(axes: Axes, outline: Array, middle: Array, outer: float, angle: flo
     bore = (outline @ rotation(angle).T + middle)[::-1]
     codes = [[Path.MOVETO] + [Path.LINETO] * (len(part) - 2) + [Path.CLOSEPOLY] for part in (ring, bore)]
     path = Path(np.concatenate([ring, bore]), np.concatenate(codes))
-    axes.add_patch(PathPatch(path, facecolor=BLUE, edgecolor=INK, linewidth=0.8, zorder=2.5))
+    axes.add_artist(PathPatch(path, facecolor=BLUE, edgecolor=INK, linewidth=0.8, zorder=2.5))

@@ -1,0 +1,116 @@
+"""A run as a labelled dataset."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from varistiff.characteristic.provenance import provenance
+from varistiff.core.status import Status
+from varistiff.dynamics.ledger import LONG_NAMES
+from varistiff.dynamics.simulate import Run
+
+
+def run_dataset(run: Run) -> xr.Dataset:
+    """Return what a run computed against time [s], SI units, with long names and units at every variable.
+
+    The energy account is cumulated from 0. Attributes say kind, signs, versions, papers, step, outcome and residual.
+    """
+    columns = {**_motion(run), **_actuator(run), **_drives(run), **_ledger(run)}
+    variables = {
+        name: xr.Variable("time", np.asarray(values), {"units": unit, "long_name": text})
+        for name, (values, unit, text) in columns.items()
+    }
+    variables["status"] = xr.Variable(
+        "time",
+        np.asarray(run.rows.flows.response.status, dtype=np.int8),
+        {
+            "long_name": "status of the map at this point",
+            "flag_values": np.array([int(status) for status in Status], dtype=np.int8),
+            "flag_meanings": " ".join(status.label for status in Status),
+        },
+    )
+    time = xr.Variable("time", run.time, {"units": "s", "long_name": "time"})
+    attributes: dict[str, Any] = {
+        **provenance(run.case.plant.actuator),
+        "outcome": run.outcome.value,
+        "step": run.step,
+        "energy_residual": run.audit.relative,
+        "energy_residual_allowed": run.audit.allowance,
+        "dissipation_convention": "losses are cumulated and never negative; external_work and supplied flow in",
+    }
+    if run.failed_at is not None:
+        attributes["failed_at"] = run.failed_at
+    return xr.Dataset(variables, coords={"time": time}, attrs=attributes)
+
+
+_Column = tuple[Any, str, str]
+
+
+def _units(run: Run) -> tuple[str, str]:
+    """Units of position and load."""
+    return ("rad", "N*m") if run.case.plant.actuator.deflection_unit == "rad" else ("m", "N")
+
+
+def _motion(run: Run) -> dict[str, _Column]:
+    rows, (unit, load) = run.rows, _units(run)
+    motion = rows.state.motion
+    columns: dict[str, _Column] = {
+        "link": (motion.link, unit, "link position"),
+        "link_rate": (motion.link_rate, f"{unit}/s", "link rate"),
+        "wanted_position": (rows.wanted_position, unit, "wanted link position"),
+        "external_torque": (rows.flows.external_torque, load, "load from outside against the link"),
+        "motion": (motion.motion, "1", "coordinate of the setting drive, SI"),
+        "motion_rate": (motion.motion_rate, "1/s", "rate of the setting drive, SI"),
+        "switchings": (rows.switchings, "1", "switchings located in the period before"),
+    }
+    if run.case.plant.driven:
+        columns["drive"] = (motion.drive, unit, "drive position")
+        columns["drive_rate"] = (motion.drive_rate, f"{unit}/s", "drive rate")
+    return columns
+
+
+def _actuator(run: Run) -> dict[str, _Column]:
+    rows, (unit, load), response = run.rows, _units(run), run.rows.flows.response
+    actuator = run.case.plant.actuator
+    columns: dict[str, _Column] = {
+        "deflection": (rows.deflection, unit, "deflection"),
+        "load": (response.load, load, "load"),
+        "stiffness": (response.stiffness, f"{load}/{unit}", "tangent stiffness"),
+        "stress": (response.stress, "Pa", "largest stress in the elastic element"),
+        "wanted_stiffness": (rows.wanted_stiffness, f"{load}/{unit}", "wanted stiffness"),
+    }
+    if actuator.setting_unit is not None:
+        adjusting = "N*m" if actuator.setting_unit == "rad" else "N"
+        columns["setting"] = (rows.setting, actuator.setting_unit, "setting")
+        columns["adjusting_load"] = (response.adjusting_load, adjusting, "adjusting load")
+    return columns
+
+
+def _drives(run: Run) -> dict[str, _Column]:
+    rows, plant = run.rows, run.case.plant
+    columns: dict[str, _Column] = {}
+    for name, title, flows, command, heat in (
+        ("drive", "drive", rows.flows.drive, rows.command.drive, rows.state.drive_heat),
+        ("setting", "setting drive", rows.flows.setting, rows.command.setting, rows.state.setting_heat),
+    ):
+        columns |= {
+            f"{name}_command": (command, "SI", f"torque or force asked of the {title}"),
+            f"{name}_torque": (flows.torque, "SI", f"torque or force of the {title}"),
+            f"{name}_current": (flows.current, "A", f"current of the {title}"),
+            f"{name}_voltage": (flows.voltage, "V", f"voltage at the {title}'s motor"),
+            f"{name}_power": (flows.electrical_power, "W", f"electrical power drawn by the {title}"),
+            f"{name}_temperature": (heat.winding, "K", f"winding of the {title} above ambient"),
+        }
+    columns["storage_voltage"] = (plant.storage.open_voltage(rows.state.charge), "V", "open voltage of the storage")
+    columns["storage_energy"] = (rows.stores.stored, "J", "energy in the storage")
+    return columns
+
+
+def _ledger(run: Run) -> dict[str, _Column]:
+    columns: dict[str, _Column] = {name: (values, "J", LONG_NAMES[name]) for name, values in run.audit.terms.items()}
+    columns["residual"] = (run.audit.residual, "J", LONG_NAMES["residual"])
+    columns["turnover"] = (run.audit.turnover, "J", "energy turned over")
+    return columns

@@ -1,0 +1,1 @@
+"""The report of a simulation: figures, the mechanism in motion, one HTML page, and the data."""
