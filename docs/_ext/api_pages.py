@@ -6,7 +6,18 @@ from pathlib import Path
 
 import varistiff
 
-ROOMS = ("core", "materials", "sections", "elastic", "actuators", "characteristic", "dynamics", "design", "fe", "report")
+ROOMS = (
+    "core",
+    "materials",
+    "sections",
+    "elastic",
+    "actuators",
+    "characteristic",
+    "dynamics",
+    "design",
+    "fe",
+    "report",
+)
 
 
 def modules(room: str) -> list[str]:

@@ -45,7 +45,7 @@ def test_elliptical_ring(share: float) -> None:
     a, b = 1.5, 0.8
     found = solved_properties(shapes.elliptical_ring(a, b, share))
     whole = math.pi * a**3 * b**3 / (a**2 + b**2)
-    assert found.torsion_constant == pytest.approx(whole * (1.0 - share**4), rel=1e-11)
+    assert found.torsion_constant == pytest.approx(whole * (1.0 - share**4), rel=1e-11 if share < 0.9 else 1e-10)
     stress = 2.0 * a**2 * b / (a**2 + b**2)
     assert found.torsion_constant / found.torsion_modulus == pytest.approx(stress, rel=1e-7)
 

@@ -14,7 +14,7 @@ from varistiff.dynamics.plant import Inertias, Member, Plant
 from varistiff.dynamics.signals import Sample
 from varistiff.dynamics.state import Command, Motion, State
 from varistiff.dynamics.stop import StopForce, push
-from varistiff.dynamics.storage import StorageFlows, Supply
+from varistiff.dynamics.storage import IdealSupply, StorageFlows, Supply
 
 Scalar = Float[Array, ""]
 
@@ -165,7 +165,8 @@ def losses_of(plant: Plant) -> tuple[str, ...]:
         *({"friction_drive"} if not plant.driven or plant.drive.mode == "locked" else ()),
         *({"friction_setting"} if plant.setting.mode == "locked" else ()),
         *({"stop_loss"} if all(stop is None for stop in stops) else ()),
-        *({"leakage"} if isinstance(plant.storage, Supply) else ()),
+        *({"leakage"} if isinstance(plant.storage, Supply | IdealSupply) else ()),
+        *({"series_loss", "converter_loss"} if isinstance(plant.storage, IdealSupply) else ()),
     }
     return tuple(name for name in LOSSES if name not in never)
 

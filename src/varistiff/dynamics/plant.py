@@ -16,7 +16,7 @@ from varistiff.dynamics.ledger import Stores
 from varistiff.dynamics.path import Affine, Path
 from varistiff.dynamics.state import Motion
 from varistiff.dynamics.stop import Stop, push
-from varistiff.dynamics.storage import Storage, Supply
+from varistiff.dynamics.storage import IdealSupply, Storage
 
 Scalar = Float[Array, ""]
 Mode = Literal["free", "locked", "prescribed"]
@@ -92,7 +92,7 @@ class Plant(eqx.Module):
     carried: CarriedMass | None = None
     drive_motor: Drive = TorqueSource()
     setting_motor: Drive = TorqueSource()
-    storage: Storage = Supply()
+    storage: Storage = IdealSupply()
     gravity: Gravity | None = None
     backlash: float | None = None
     deflection_stop: Stop | None = None

@@ -171,11 +171,12 @@ def _observed(static: Case) -> Callable[[Case, Course], Row]:
 
 def rows_of(case: Case, course: Course) -> Row:
     """Everything that follows from a course of shape (samples,), at all its instants at once."""
-    numbers, static = _split(case)
+    numbers, static = split(case)
     return _observed(static)(numbers, course)
 
 
-def _split(case: Case) -> tuple[Case, Case]:
+def split(case: Case) -> tuple[Case, Case]:
+    """Numbers of a case as arrays, and the rest, which decides what is compiled."""
     arrays = jax.tree.map(lambda leaf: np.asarray(leaf) if isinstance(leaf, float) else leaf, case)
     numbers, static = eqx.partition(arrays, eqx.is_array)
     return numbers, static
@@ -183,10 +184,10 @@ def _split(case: Case) -> tuple[Case, Case]:
 
 def run_one(case: Case, *, duration: float, substeps: int) -> Course:
     """Compiled run; arrays of shape (samples,) with an instant at both ends of ``duration``."""
-    numbers, static = _split(case)
+    numbers, static = split(case)
     names = switch_names(case.plant, case.inputs, duration)
     fixed = 1 if substeps == 1 else None
-    return _compiled(static, _samples(case.period, duration), fixed, names, False)(numbers, np.asarray(substeps))
+    return _compiled(static, samples_of(case.period, duration), fixed, names, False)(numbers, np.asarray(substeps))
 
 
 def run_many(cases: list[Case], *, duration: float, substeps: int) -> Course:
@@ -196,15 +197,16 @@ def run_many(cases: list[Case], *, duration: float, substeps: int) -> Course:
     ------
     ValueError : the cases differ in more than numbers
     """
-    parts = [_split(case) for case in cases]
+    parts = [split(case) for case in cases]
     static, names = parts[0][1], switch_names(cases[0].plant, cases[0].inputs, duration)
     for case, (_, other) in zip(cases, parts, strict=True):
         if other != static or switch_names(case.plant, case.inputs, duration) != names:
             raise ValueError("the cases of a batch may differ in numbers only, not in parts, modes or switchings")
     numbers = jax.tree.map(lambda *leaves: np.stack(leaves), *(own for own, _ in parts))
     fixed = 1 if substeps == 1 else None
-    return _compiled(static, _samples(cases[0].period, duration), fixed, names, True)(numbers, np.asarray(substeps))
+    return _compiled(static, samples_of(cases[0].period, duration), fixed, names, True)(numbers, np.asarray(substeps))
 
 
-def _samples(period: float, duration: float) -> int:
+def samples_of(period: float, duration: float) -> int:
+    """Number of sample instants, both ends included."""
     return round(duration / period) + 1

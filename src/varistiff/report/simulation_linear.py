@@ -35,8 +35,9 @@ def draw_bode(response: xr.Dataset) -> Drawing:
         top.set(ylabel=f"Magnitude [{units}]" if units else "Magnitude", title=title[:1].upper() + title[1:])
         bottom.set(xlabel="Frequency [Hz]", ylabel="Phase [deg]")
         bottom.yaxis.set_major_locator(MultipleLocator(90.0))
-        low, high = bottom.get_ylim()
-        bottom.set_ylim(90.0 * np.floor(low / 90.0) - 10.0, 90.0 * np.ceil(high / 90.0) + 10.0)
+        low, high = np.degrees(float(response.phase.min())), np.degrees(float(response.phase.max()))
+        # whole right angles, less the few degrees by which a phase nears one from outside
+        bottom.set_ylim(90.0 * np.floor((low + 10.0) / 90.0) - 12.0, 90.0 * np.ceil((high - 10.0) / 90.0) + 12.0)
         for axes in (top, bottom):
             axes.set_xlim(float(f[0]), float(f[-1]))
         _plain_frequencies(bottom)

@@ -215,5 +215,8 @@ def test_readings_beyond_the_settings_are_held(wang_joint: SliderLeafJoint) -> N
     spring = SensedSpring(wang_joint, Affine(), setting_min=0.006, setting_max=0.025)
     assert float(spring.setting(Measured(0.0, 0.0, 0.0059))) == 0.006
     assert float(spring.setting(Measured(0.0, 0.0, 0.0251))) == 0.025
+    # derivatives pass at the ends themselves, and only there and inside
+    slope = jax.vmap(jax.grad(lambda motion: spring.setting(Measured(0.0, 0.0, motion))))
+    assert slope(jnp.array([0.0059, 0.006, 0.02, 0.025, 0.0251])).tolist() == [0.0, 1.0, 1.0, 1.0, 0.0]
     with pytest.raises(InputError, match=r"setting: the lower end 0\.3 must lie below the upper end 0\.2"):
         SensedSpring(wang_joint, Affine(), setting_min=0.3, setting_max=0.2)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
 
 import control
@@ -10,7 +9,16 @@ import jax
 import numpy as np
 import pytest
 
-from varistiff.dynamics.control import Delay, DelayedController, Encoder, Pid, PositionPid, SettingHold
+from varistiff.dynamics.control import (
+    Delay,
+    DelayedController,
+    Encoder,
+    Pid,
+    PositionPid,
+    SensedSpring,
+    SettingHold,
+    TorqueControl,
+)
 from varistiff.dynamics.control_loop import Channel, ControlLoop
 from varistiff.dynamics.drives import TorqueSource
 from varistiff.dynamics.friction import DryFriction, Friction
@@ -146,18 +154,22 @@ def test_an_unused_integral_part_is_no_pole() -> None:
     assert closed_loop_poles(case(SMOOTH, loop=loop(P))).size == 4  # of the plant alone
 
 
-@pytest.mark.parametrize(
-    "change",
-    [
-        {"encoders": (Encoder(1e-2), Encoder(1e-2), Encoder(1e-2))},
-        {"drive": Channel(PositionPid(dataclasses.replace(PD, limit=1e-6), "drive"))},
-    ],
-    ids=["encoders", "limit"],
-)
-def test_encoders_and_limits_do_not_open_the_loop(change: dict[str, object]) -> None:
+def test_coarse_encoders_do_not_open_the_loop() -> None:
+    coarse = Encoder(1e-2)
     ideal = closed_loop_poles(case(SMOOTH, moving(0.123, 0.123), loop=loop(PD)))
-    coarse = closed_loop_poles(case(SMOOTH, moving(0.123, 0.123), loop=loop(PD, **change)))
-    np.testing.assert_allclose(coarse, ideal, rtol=1e-12)
+    found = closed_loop_poles(case(SMOOTH, moving(0.123, 0.123), loop=loop(PD, encoders=(coarse,) * 3)))
+    np.testing.assert_allclose(found, ideal, rtol=1e-12)
+
+
+def test_a_limit_that_binds_at_rest_does_not_open_the_loop() -> None:
+    """The feedforward of a loaded torque loop alone exceeds the limit."""
+    spring = SensedSpring(SMOOTH.actuator)
+
+    def poles(limit: float) -> np.ndarray:
+        torque = TorqueControl(Pid(1.5, derivative=0.01, filter_time=0.004, limit=limit), spring)
+        return closed_loop_poles(case(SMOOTH, load=4.0, loop=ControlLoop(drive=Channel(torque))))
+
+    np.testing.assert_allclose(poles(1.0), poles(math.inf), rtol=1e-12)
 
 
 def test_dry_friction_and_a_limited_drive_do_not_hide_an_unstable_loop() -> None:

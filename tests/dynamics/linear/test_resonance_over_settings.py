@@ -8,11 +8,13 @@ import math
 import numpy as np
 import pytest
 
+from varistiff.actuators import SliderLeafJoint
 from varistiff.core.errors import InputError
 from varistiff.core.status import Status
 from varistiff.dynamics.friction import Friction
 from varistiff.dynamics.linear import resonance_over_settings
-from varistiff.dynamics.plant import Member
+from varistiff.dynamics.plant import Member, Plant
+from varistiff.elastic.leaf import Leaf
 
 from .joints import DRIVE, LINK, case, maccepa, maccepa_stiffness, moving, two_mass
 
@@ -67,6 +69,15 @@ def test_a_load_that_no_setting_carries() -> None:
     found = resonance_over_settings(case(maccepa(), load=50.0), [0.009])
     assert math.isnan(float(found.resonance[0]))
     assert int(found.status[0]) == Status.NO_SOLUTION
+
+
+def test_an_element_that_is_too_short_says_so() -> None:
+    leaf = Leaf(youngs_modulus=206e9, width=0.025, thickness=0.001, length=0.02)
+    device = SliderLeafJoint(leaf=leaf, count=1, clamp_radius=0.025)
+    plant = Plant(device, link=Member(LINK), drive=Member(DRIVE))
+    found = resonance_over_settings(case(plant, moving(motion=0.018)), [0.018, 0.022])
+    assert found.status.values.tolist() == [Status.OK, Status.ELEMENT_TOO_SHORT]
+    assert np.isfinite(found.resonance.values).tolist() == [True, False]
 
 
 def test_a_locked_drive_leaves_the_link_alone() -> None:

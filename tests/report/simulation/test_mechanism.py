@@ -25,6 +25,7 @@ from varistiff.report.simulation.mechanism.frames import Frames, choose
 from varistiff.report.simulation.mechanism.scene import ELEMENT, LINK, SETTING, Part, Scene
 from varistiff.report.simulation.mechanism.strip import draw_strip
 from varistiff.report.simulation.run import Run
+from varistiff.report.style import INK
 
 from .synthetic import Made
 
@@ -193,6 +194,22 @@ def test_a_link_with_weight_hangs_down(made: Callable[[str], Made]) -> None:
     x, y = bob.at(0)[0]
     assert y < 0.0
     assert x == pytest.approx(0.0, abs=1e-9 * abs(y))
+
+
+def test_a_link_at_its_stop_lies_against_it(made: Callable[[str], Made]) -> None:
+    run = made("series_elastic")
+    data = run.data.copy()
+    top = float(data.link.max())
+    data["link"] = data.link.assign_attrs(limits=(-math.inf, top))
+    stopped = replace(run, data=data)
+    frames = _frames(stopped)
+    scene = _scene(stopped, frames)
+    (arm,) = [part for part in _parts(scene, LINK, deforms=False) if part.width > 0.0]
+    (block,) = [part for part in scene.parts if part.fill == INK and part.closed]
+    c, s = math.cos(top), math.sin(top)
+    corners = block.at(0) @ np.array([[c, -s], [s, c]])  # seen from an arm at the stop
+    assert corners[:, 1].min() == pytest.approx(0.5 * arm.width, rel=1e-9)
+    assert ("stop of the link", INK, "patch") in scene.key
 
 
 def test_frames_are_where_things_move() -> None:

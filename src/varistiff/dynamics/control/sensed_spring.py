@@ -43,7 +43,10 @@ class SensedSpring(eqx.Module):
 
     def setting(self, measured: Measured) -> Scalar:
         """Setting [m or rad] at the measured coordinate of the setting drive."""
-        return jnp.clip(self.path.at(as_scalar(measured.motion)).value, self.setting_min, self.setting_max)
+        setting = self.path.at(as_scalar(measured.motion)).value
+        # unlike that of jnp.clip the derivative is whole at an end, where a run may start
+        raised = jnp.where(setting < self.setting_min, self.setting_min, setting)
+        return jnp.where(raised > self.setting_max, self.setting_max, raised)
 
     def response(self, measured: Measured) -> Response:
         """The map's answer at the measured deflection and setting."""

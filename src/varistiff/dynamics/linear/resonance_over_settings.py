@@ -16,6 +16,7 @@ from varistiff.dynamics.control import motion_of_setting
 from varistiff.dynamics.linear.matrices import Coordinate, free_coordinates, plant_matrices
 from varistiff.dynamics.linear.modes import Mode, modes_of
 from varistiff.dynamics.linear.rest import rest
+from varistiff.dynamics.linear.state_at import start_of
 from varistiff.dynamics.linear.without_dry_friction import without_dry_friction
 from varistiff.dynamics.plant import Plant
 from varistiff.dynamics.program import Case
@@ -88,10 +89,10 @@ def _abouts(plant: Plant) -> tuple[dict[str, str], ...]:
 
 def _at(case: Case, setting: float) -> dict[str, float]:
     row: dict[str, float] = dict.fromkeys(_NUMBERS, math.nan)
-    row["status"] = int(Status.NO_SOLUTION)
     try:
         at = rest(case, motion=float(motion_of_setting(case.plant.setting_path, setting)))
     except InputError:
+        row["status"] = int(_refusal(case, setting))
         return row
     plant = without_dry_friction(case.plant)
     points = evaluate(plant.actuator, np.array([float(plant.stretch(at.motion))]), np.array([setting]))
@@ -111,3 +112,10 @@ def _at(case: Case, setting: float) -> dict[str, float]:
         if mode is not None:
             row[name], row[f"{name}_damping"] = mode.frequency, mode.damping_ratio
     return row
+
+
+def _refusal(case: Case, setting: float) -> Status:
+    """Status at the start's deflection if the actuator has no numbers there, else: there is no such equilibrium."""
+    deflection = float(case.plant.stretch(start_of(case)))
+    status = Status(int(evaluate(case.plant.actuator, np.array([deflection]), np.array([setting])).status[0]))
+    return status if status in (Status.ELEMENT_TOO_SHORT, Status.OUTSIDE_VALIDITY) else Status.NO_SOLUTION

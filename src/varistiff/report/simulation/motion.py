@@ -34,7 +34,7 @@ def motion(run: Run, scene: Scene, frames: Frames) -> dict[str, Any]:
     return {
         "caption": scene.caption + _about_frames(run, frames),
         "readouts": readouts,
-        "key": [{"name": name, "colour": colour} for name, colour, _ in scene.key],
+        "key": [{"name": name, "colour": colour, "look": look} for name, colour, look in scene.key],
         "speeds": _speeds(float(frames.time[-1] - frames.time[0])),
         "data": Markup(encode(scene, frames, readouts=readouts, events=events)),  # it is escaped there
     }

@@ -23,7 +23,7 @@ from varistiff.report.view import Array
 
 LEFT, RIGHT = 0.165, 0.755  # of the figure's width
 KEY = 0.775
-HEAD, STRIP, FOOT, GAP = 0.40, 0.22, 0.62, 0.20  # inches
+HEAD, STRIP, FOOT, GAP = 0.46, 0.20, 0.62, 0.20  # inches
 MOST_POINTS = 2000  # of a line; more are thinned to the extremes of as many spans
 MOST_MARKS = 40
 DIGIT = 0.019  # width of a digit above the panels, of the time axis

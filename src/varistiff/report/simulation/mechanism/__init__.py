@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import replace
 from importlib import import_module
 from typing import Any
 
@@ -9,6 +11,7 @@ from varistiff.actuators.actuator import Actuator
 from varistiff.report.mechanism import KINDS
 from varistiff.report.simulation.mechanism.frames import Frames
 from varistiff.report.simulation.mechanism.scene import Scene
+from varistiff.report.style import INK
 
 
 def build_scene(actuator: Actuator, frames: Frames) -> Scene | None:
@@ -20,4 +23,11 @@ def build_scene(actuator: Actuator, frames: Frames) -> Scene | None:
         return None
     module: Any = import_module(f"{__name__}.{actuator.kind}")
     scene: Scene = module.build(actuator, frames)
-    return scene
+    if actuator.deflection_unit != "rad":
+        return scene  # the marks are arms
+    key = list(scene.key)
+    if frames.wanted is not None:
+        key.append(("where the link should be", INK, "dash"))
+    if any(map(math.isfinite, frames.stops)):
+        key.append(("stop of the link", INK, "patch"))
+    return replace(scene, key=tuple(key))

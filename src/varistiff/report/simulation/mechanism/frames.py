@@ -27,6 +27,7 @@ class Frames:
     deflection : of the elastic element; differs from drive minus link by backlash
     setting : 0 for a kind without one
     wanted : position of the link that is wanted, None where nothing is
+    stops : lowest and highest position of the link [rad] or [m], infinite where nothing stops it
     upright : angle [rad] that the picture is turned by, so that a link with weight hangs down
     """
 
@@ -37,6 +38,7 @@ class Frames:
     deflection: Array
     setting: Array
     wanted: Array | None = None
+    stops: tuple[float, float] = (-math.inf, math.inf)
     upright: float = 0.0
 
     @property
@@ -73,6 +75,7 @@ class Frames:
             deflection=deflection[chosen],
             setting=np.zeros(chosen.size) if setting is None else setting[chosen],
             wanted=at(wanted),
+            stops=run.limits("link"),
             upright=0.0 if rest is None else -0.5 * math.pi - float(rest),
         )
 

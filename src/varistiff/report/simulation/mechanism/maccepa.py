@@ -9,7 +9,7 @@ from varistiff.actuators.maccepa import Maccepa
 from varistiff.report.mechanism.maccepa import COILS
 from varistiff.report.mechanism.sheet import MM
 from varistiff.report.simulation.mechanism.frames import Frames
-from varistiff.report.simulation.mechanism.marks import arm, wanted_arm
+from varistiff.report.simulation.mechanism.marks import arm, stops, wanted_arm
 from varistiff.report.simulation.mechanism.scene import DRIVE, ELEMENT, LINK, SETTING, Builder, Scene
 from varistiff.report.style import INK, METAL_LIGHT
 
@@ -24,6 +24,7 @@ def build(actuator: Maccepa, frames: Frames) -> Scene:
     builder = Builder(frames.count, frames.upright)
     builder.dial(1.18 * lever)
     link, drive, fixed = builder.body(frames.link), builder.body(frames.driven), builder.body()
+    stops(builder, frames, 0.7 * tail, 0.9 * tail, 0.12 * size)
     builder.beam(link, 0.0, tail, 0.12 * size)
     arm(builder, link, tail, 1.1 * tail, 0.08 * size)
     wanted_arm(builder, frames, 1.3 * lever, 1.15 * tail)

@@ -1,6 +1,8 @@
-"""Arms that show where link and wanted position point."""
+"""Arms that show where link and wanted position point, and what stops the link."""
 
 from __future__ import annotations
+
+import math
 
 import numpy as np
 
@@ -14,6 +16,14 @@ def arm(builder: Builder, body: Body, start: float, end: float, width: float, *,
     builder.line(body, np.array([[start, 0.0], [end, 0.0]]), colour, pixels=3.0, width=width)
     if builder.upright:
         builder.disc(body, (end, 0.0), 1.1 * width, fill=colour, edge=INK)
+
+
+def stops(builder: Builder, frames: Frames, start: float, end: float, width: float) -> None:
+    """Fixed blocks that the link's arm, so wide, lies against at the ends of its travel."""
+    for side, angle in zip((-1.0, 1.0), frames.stops, strict=True):
+        if math.isfinite(angle):
+            centre = (0.5 * (start + end), side * 0.8 * width)
+            builder.block(builder.body(angle), centre, end - start, 0.6 * width, INK)
 
 
 def wanted_arm(builder: Builder, frames: Frames, start: float, end: float) -> None:

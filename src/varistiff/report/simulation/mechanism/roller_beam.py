@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from varistiff.actuators.roller_beam import RollerBeam
@@ -12,7 +10,7 @@ from varistiff.report.mechanism.roller_beam import NOMINAL_ROLLER
 from varistiff.report.mechanism.sheet import MM, rotation
 from varistiff.report.simulation.mechanism.frames import Frames
 from varistiff.report.simulation.mechanism.scene import ELEMENT, LINK, SETTING, Builder, Scene, resampled
-from varistiff.report.style import FAINT, INK, METAL, METAL_LIGHT
+from varistiff.report.style import INK, METAL, METAL_LIGHT
 from varistiff.report.view import Array
 
 POINTS = 40  # of the beam
@@ -20,33 +18,34 @@ POINTS = 40  # of the beam
 
 def build(actuator: RollerBeam, frames: Frames) -> Scene:
     """Build link 1 with the clamped beam, and link 2 with the shuttle and its rollers."""
-    # the joint angle is the link's position where no drive turns link 1
-    angle = frames.link if frames.drive is None else frames.deflection
-    base = np.zeros(frames.count) if frames.drive is None else frames.link
     pairs = zip(frames.deflection, frames.setting, strict=True)
     beam = np.stack([resampled(actuator.element_shapes(d, s)[0] * MM, POINTS) for d, s in pairs])
-    along, size = frames.setting * MM, float(np.abs(beam).max())
-    upright = frames.upright - actuator.mounting_angle if frames.upright else 0.0
-    builder = Builder(frames.count, upright)
+    along, size, mounting = frames.setting * MM, float(np.abs(beam).max()), actuator.mounting_angle
+    builder = Builder(frames.count, frames.upright - mounting if frames.upright else 0.0)
     clamp = np.array([actuator.clamp_offset_along, actuator.clamp_offset_across])
-    origin = rotation(actuator.mounting_angle) @ -clamp * MM
-    turned = actuator.mounting_angle + angle
-    shank = builder.body(turned + base, **_place(origin, base))
-    first = builder.body(base)
-    behind = origin - rotation(actuator.mounting_angle) @ np.array([0.1 * size, 0.0])
-    builder.line(first, np.stack([behind, origin]), METAL, pixels=4.0, width=0.03 * size)
-    builder.line(first, np.stack([origin, np.zeros(2)]), METAL, pixels=3.0, width=0.016 * size)
-    reach = 1.08 * float(along.max())
+    joint = rotation(mounting) @ -clamp * MM
+    first = builder.body()
+    behind = joint - rotation(mounting) @ np.array([0.1 * size, 0.0])
+    builder.line(first, np.stack([behind, joint]), METAL, pixels=4.0, width=0.03 * size)
+    builder.line(first, np.stack([joint, np.zeros(2)]), METAL, pixels=3.0, width=0.016 * size)
+    shank = builder.body(mounting + frames.deflection, x=joint[0], y=joint[1])
+    reach, wide = 1.08 * float(along.max()), 0.02 * size
     if frames.wanted is not None:
-        aim = builder.body(actuator.mounting_angle + np.nan_to_num(frames.wanted) + base, **_place(origin, base))
+        aim = builder.body(mounting + np.nan_to_num(frames.wanted), x=joint[0], y=joint[1])
         builder.dashes(aim, np.array([[0.0, 0.0], [1.04 * reach, 0.0]]), INK)
-    builder.beam(shank, 0.0, reach, 0.02 * size)
+    for side, angle in zip((-1.0, 1.0), frames.stops, strict=True):
+        if np.isfinite(angle):
+            stop = builder.body(mounting + angle, x=joint[0], y=joint[1])
+            builder.block(stop, (0.55 * reach, 1.2 * side * wide), 0.1 * reach, wide, INK)
+    builder.beam(shank, 0.0, reach, wide)
     if frames.upright:
-        builder.disc(shank, (reach, 0.0), 0.02 * size, fill=LINK)
+        builder.disc(shank, (reach, 0.0), wide, fill=LINK)
     builder.line(first, beam, ELEMENT, pixels=2.4, width=actuator.beam.thickness * MM)
     builder.block(first, (-0.016 * size, 0.0), 0.032 * size, 0.05 * size, METAL)
-    _shuttle(builder, actuator, frames, (origin, turned, base), beam)
-    builder.joint(builder.body(0.0, **_place(origin, base)), 0.012 * size)
+    turned = mounting + frames.deflection
+    centre = joint + along[:, None] * np.stack([np.cos(turned), np.sin(turned)], axis=1)
+    _shuttle(builder, actuator, (centre, turned), beam)
+    builder.joint(builder.body(x=joint[0], y=joint[1]), 0.012 * size)
     key = (
         ("link 1, with the clamp", METAL, "line"),
         ("link 2", LINK, "line"),
@@ -62,42 +61,24 @@ def build(actuator: RollerBeam, frames: Frames) -> Scene:
     return Scene(tuple(builder.parts), key, caption)
 
 
-def _place(point: Array, angle: Array) -> dict[str, Array]:
-    c, s = np.cos(angle), np.sin(angle)
-    return {"x": c * point[0] - s * point[1], "y": s * point[0] + c * point[1]}
-
-
-def _shuttle(
-    builder: Builder, actuator: RollerBeam, frames: Frames, frame: tuple[Array, Array, Array], beam: Array
-) -> None:
+def _shuttle(builder: Builder, actuator: RollerBeam, place: tuple[Array, Array], beam: Array) -> None:
     """Block on link 2 and its rollers; a swivelling pair follows the slope of the beam at its free end."""
-    origin, turned, base = frame
-    rollers, size = actuator.rollers, float(np.abs(beam).max())
-    along = frames.setting * MM
+    (centre, turned), rollers = place, actuator.rollers
+    size, half = float(np.abs(beam).max()), 0.5 * actuator.beam.thickness * MM
     offset = float(rollers.offset) * MM  # type: ignore[attr-defined]  # every arrangement has one; the base has no fields
-    c, s = np.cos(turned), np.sin(turned)
-    centre = np.stack([origin[0] + along * c, origin[1] + along * s], axis=1)
-    slider = builder.body(turned + base, **_turned(centre, base))
+    slider = builder.body(turned, x=centre[:, 0], y=centre[:, 1])
     builder.block(slider, (0.0, 0.0), 0.03 * size, 0.022 * size, SETTING)
-    half = 0.5 * actuator.beam.thickness * MM
     if isinstance(rollers, SwivellingPair):
-        pivot = centre + offset * np.stack([-s, c], axis=1)
+        pivot = centre + offset * np.stack([-np.sin(turned), np.cos(turned)], axis=1)
         last = beam[:, -1] - beam[:, -2]
-        slope = np.arctan2(last[:, 1], last[:, 0])
-        pair, radius = builder.body(slope + base, **_turned(pivot, base)), NOMINAL_ROLLER * size
+        pair = builder.body(np.arctan2(last[:, 1], last[:, 0]), x=pivot[:, 0], y=pivot[:, 1])
+        radius = NOMINAL_ROLLER * size
         spread = rollers.clearance * MM + half + radius
         builder.line(pair, np.array([[0.0, -spread], [0.0, spread]]), INK, pixels=1.2)
+        heights = [-spread, spread]
     else:
-        pair = builder.body(turned + base, **_turned(centre, base))
-        radius = float(rollers.radius) * MM  # type: ignore[attr-defined]  # as above
-        spread = radius + half + rollers.clearance * MM if isinstance(rollers, FixedPair) else math.nan
-    aside = 0.0 if isinstance(rollers, SwivellingPair) else offset
-    sides = (-spread, spread) if math.isfinite(spread) else (0.0,)
-    for side in sides:
-        builder.disc(pair, (0.0, aside + side), radius, fill=METAL_LIGHT, edge=SETTING, pixels=2.0)
-    builder.disc(slider, (0.0, 0.0), 0.004 * size, fill=FAINT)
-
-
-def _turned(points: Array, angle: Array) -> dict[str, Array]:
-    c, s = np.cos(angle), np.sin(angle)
-    return {"x": c * points[:, 0] - s * points[:, 1], "y": s * points[:, 0] + c * points[:, 1]}
+        pair, radius = slider, float(rollers.radius) * MM  # type: ignore[attr-defined]  # as above
+        spread = radius + half + rollers.clearance * MM if isinstance(rollers, FixedPair) else 0.0
+        heights = [offset - spread, offset + spread] if spread else [offset]
+    for height in heights:
+        builder.disc(pair, (0.0, height), radius, fill=METAL_LIGHT, edge=SETTING, pixels=2.0)

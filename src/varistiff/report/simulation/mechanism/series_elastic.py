@@ -9,12 +9,12 @@ import numpy as np
 from varistiff.actuators.series_elastic import SeriesElastic
 from varistiff.report.mechanism.series_elastic import INNER, OUTER, TURNS
 from varistiff.report.simulation.mechanism.frames import Frames
-from varistiff.report.simulation.mechanism.marks import arm, wanted_arm
+from varistiff.report.simulation.mechanism.marks import arm, stops, wanted_arm
 from varistiff.report.simulation.mechanism.scene import DRIVE, ELEMENT, LINK, Builder, Scene
 from varistiff.report.style import METAL_LIGHT
 
 SIZE = 40.0  # of the sketch
-POINTS = 90  # of the spiral
+POINTS = 160  # of the spiral
 
 
 def build(actuator: SeriesElastic, frames: Frames) -> Scene:
@@ -22,6 +22,7 @@ def build(actuator: SeriesElastic, frames: Frames) -> Scene:
     builder = Builder(frames.count, frames.upright)
     builder.dial(1.25 * SIZE)
     link, drive = builder.body(frames.link), builder.body(frames.driven)
+    stops(builder, frames, 1.5 * SIZE, 1.9 * SIZE, 0.16 * SIZE)
     arm(builder, link, SIZE, 2.2 * SIZE, 0.16 * SIZE)
     wanted_arm(builder, frames, 1.15 * SIZE, 2.3 * SIZE)
     builder.disc(link, (0.0, 0.0), 1.12 * SIZE, fill="#f4f6f7", edge=LINK, pixels=2.6)
@@ -36,6 +37,7 @@ def build(actuator: SeriesElastic, frames: Frames) -> Scene:
     pointer = np.stack([np.zeros(2), INNER * SIZE * tip, 1.06 * SIZE * tip])
     builder.line(drive, pointer[:2], DRIVE, pixels=5.0)
     builder.line(drive, pointer[1:], DRIVE, pixels=1.6)
+    builder.area(drive, np.array([[1.24, 0.0], [1.13, 0.045], [1.13, -0.045]]) * SIZE, DRIVE)
     builder.disc(drive, (0.0, 0.0), 0.14 * SIZE, fill=METAL_LIGHT, edge=DRIVE, pixels=2.2)
     key = (("link, housing", LINK, "line"), ("drive shaft", DRIVE, "line"), ("spring", ELEMENT, "line"))
     caption = (

@@ -10,7 +10,7 @@ import numpy as np
 from varistiff.actuators.slider_leaf_joint import SliderLeafJoint
 from varistiff.report.mechanism.sheet import MM
 from varistiff.report.simulation.mechanism.frames import Frames
-from varistiff.report.simulation.mechanism.marks import arm, wanted_arm
+from varistiff.report.simulation.mechanism.marks import arm, stops, wanted_arm
 from varistiff.report.simulation.mechanism.scene import DRIVE, ELEMENT, LINK, SETTING, Builder, Scene, resampled
 from varistiff.report.style import FAINT, INK, METAL, METAL_LIGHT
 from varistiff.report.view import Array
@@ -27,6 +27,7 @@ def build(actuator: SliderLeafJoint, frames: Frames) -> Scene:
     builder = Builder(frames.count, frames.upright)
     builder.dial(1.1 * rim)
     link, drive = builder.body(frames.link), builder.body(frames.driven)
+    stops(builder, frames, 1.25 * rim, 1.5 * rim, 0.1 * rim)
     arm(builder, link, 0.5 * rim, 1.65 * rim, 0.1 * rim)
     wanted_arm(builder, frames, 1.02 * rim, 1.7 * rim)
     builder.disc(drive, (0.0, 0.0), rim, fill="#f4f6f7", edge=DRIVE, pixels=2.6)

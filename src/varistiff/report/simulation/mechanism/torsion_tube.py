@@ -13,7 +13,7 @@ from varistiff.report.mechanism.sheet import MM
 from varistiff.report.mechanism.torsion_tube import BEARING
 from varistiff.report.section_path import section_loops
 from varistiff.report.simulation.mechanism.frames import Frames
-from varistiff.report.simulation.mechanism.marks import arm, wanted_arm
+from varistiff.report.simulation.mechanism.marks import arm, stops, wanted_arm
 from varistiff.report.simulation.mechanism.scene import DRIVE, ELEMENT, LINK, Builder, Scene, resampled
 from varistiff.report.view import Array
 
@@ -83,6 +83,7 @@ def _axis_view(builder: Builder, frames: Frames, loops: list[Array], outer: floa
     builder.dial(1.2 * ring)
     link, drive = builder.body(frames.link), builder.body(frames.driven)
     builder.line(drive, np.array([[ring, 0.0], [2.0 * ring, 0.0]]), DRIVE, pixels=3.0, width=0.12 * outer)
+    stops(builder, frames, 1.7 * ring, 2.3 * ring, 0.25 * outer)
     arm(builder, link, ring, 2.6 * ring, 0.25 * outer)
     wanted_arm(builder, frames, 1.25 * ring, 2.7 * ring)
     builder.disc(link, (0.0, 0.0), ring, fill=LINK)
