@@ -13,15 +13,16 @@ import numpy as np
 from benchmarks.timing import in_turn
 from varistiff.sections import P3G, Hexagon, Rectangle, SplinedTube, Square
 from varistiff.sections.outline import Arc, Loop, Outline, is_straight
-from varistiff.sections.panels import place_nodes
 from varistiff.sections.polygon import polygon_of_points
+from varistiff.sections.regular_polygon import regular_polygon
 from varistiff.sections.saint_venant import solve_torsion
-from varistiff.sections.solved import QUICK, RUNGS, solved_properties
+from varistiff.sections.solved import rung_nodes, solved_properties
 
 MESHES = (200, 1500, 6000)  # triangles, about
 FACET = 1.5  # length of a facet of a curved edge over the root of a triangle's area, about that of straight edges
 KERNEL = 20  # operations for each pair of nodes and image: a complex quotient, a difference, four sums
 TUBE = {"outer_radius": 11.0, "inner_radius": 8.7, "rails": 6, "rail_width": 4.0, "rail_height": 2.5}
+CORNERS = (20, 40, 100)  # of polygons whose symmetry the solver is not told
 ELL = [(0.0, 0.0), (20.0, 0.0), (20.0, 10.0), (10.0, 10.0), (10.0, 20.0), (0.0, 20.0)]
 
 
@@ -51,7 +52,27 @@ def shapes() -> dict[str, Outline]:
         "splined tube, fillets 0.5 mm": SplinedTube(**TUBE, root_fillet=0.5).outline(),
         "L of three squares": polygon_of_points([(1e-3 * x, 1e-3 * y) for x, y in ELL]).outline(),
         "tube with eccentric bore": Outline((_circle((0.0, 0.0), 10.0, 1.0), _circle((3.0, 0.0), 5.0, -1.0))),
+        **{_many(corners): _polygon(corners) for corners in CORNERS},
     }
+
+
+def _polygon(corners: int) -> Outline:
+    """Regular, 20 mm between parallel sides, corner by corner."""
+    radius = 0.01 / math.cos(math.pi / corners)
+    angles = 2.0 * math.pi * np.arange(corners) / corners
+    return polygon_of_points(np.stack([radius * np.cos(angles), radius * np.sin(angles)], axis=1).tolist()).outline()
+
+
+def _reference(name: str, outline: Outline) -> float:
+    """J of a far finer solution, which for many corners needs their symmetry, or from the series."""
+    if name == "square":
+        return Rectangle(width=20.0, height=20.0).torsion_constant
+    known = {_many(corners): regular_polygon(corners, 0.02) for corners in CORNERS}
+    return solve_torsion(known.get(name, outline), order=16, tolerance=1e-12).torsion_constant
+
+
+def _many(corners: int) -> str:
+    return f"polygon of {corners} corners"
 
 
 def _polyline(loop: Loop, facet: float) -> np.ndarray:
@@ -72,11 +93,9 @@ def _rate() -> float:
 
 def floor_operations(outline: Outline) -> tuple[int, float]:
     """Nodes of the finer solution, and operations of both: 2/3 N^3 each and the kernel."""
-    counts = [place_nodes(outline, order=order, tolerance=share).weight.size for order, share in RUNGS]
-    rung = next((number for number, count in enumerate(counts[:-1]) if count <= QUICK), len(RUNGS) - 2)
+    counts = [nodes.weight.size for nodes in rung_nodes(outline)]
     images = outline.rotations * (2 if outline.mirror else 1)
-    operations = sum(2.0 / 3.0 * n**3 + KERNEL * images * n**2 for n in counts[rung : rung + 2])
-    return counts[rung], operations
+    return counts[0], sum(2.0 / 3.0 * n**3 + KERNEL * images * n**2 for n in counts)
 
 
 def _ours(outline: Outline, reference: float, rate: float) -> tuple[Row, Row]:
@@ -144,11 +163,9 @@ def table() -> list[str]:
         "|---|---|---|---|---|---|",
     ]
     for name, outline in shapes().items():
-        series = name == "square"
-        fine = solve_torsion(outline, order=16, tolerance=1e-12).torsion_constant
-        reference = Rectangle(width=20.0, height=20.0).torsion_constant if series else fine
+        reference = _reference(name, outline)
         found = [*_ours(outline, reference, rate), *_theirs(outline, reference)]
-        if series:
+        if name == "square":
             bar = Rectangle(width=20.0, height=20.0)
             seconds = float(in_turn([lambda bar=bar: bar.torsion_constant], rounds=25).seconds[0])
             found.insert(0, Row("series", "20 terms", seconds, 0.0, "0"))

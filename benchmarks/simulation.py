@@ -53,7 +53,9 @@ def wang_case(*, exact: bool = False, gain: float = 1.0) -> Case:
     )
     loop = ControlLoop(
         drive=Channel(PositionPid(Pid(**{**POSITION, "proportional": 20.0 * gain}, limit=20.0), "drive")),
-        setting=Channel(StiffnessPid(Pid(**STIFFNESS, limit=5.0), wang_chain(joint, setting_min=0.015, setting_max=0.025))),
+        setting=Channel(
+            StiffnessPid(Pid(**STIFFNESS, limit=5.0), wang_chain(joint, setting_min=0.015, setting_max=0.025))
+        ),
     )
     inputs = Inputs(position=Sine(0.0, 0.2, 1.0), stiffness=Sine(330.0, 80.0, 1.0))
     return Case(plant, loop, inputs, Motion(0.0, 0.0, 0.0, 0.0, start, 0.0), PERIOD)
@@ -64,7 +66,9 @@ def scipy_run(case: Case) -> np.ndarray:
     joint, groove = case.plant.actuator, case.plant.actuator.groove
     rigidity, clamp = joint.count * joint.leaf.flexural_rigidity, joint.clamp_radius
     x, y = (float(value) for value in groove.centre_position)
-    sign = math.copysign(1.0, float(groove.active_length(np.asarray(0.3))) + clamp - (x * math.sin(0.3) + y * math.cos(0.3)))
+    sign = math.copysign(
+        1.0, float(groove.active_length(np.asarray(0.3))) + clamp - (x * math.sin(0.3) + y * math.cos(0.3))
+    )
     fourth = x * x + y * y - groove.arc_radius**2
     line = case.loop.setting.controller.chain.line
     used = case.loop.setting.controller.chain.used

@@ -43,5 +43,5 @@ def test_gradient_with_respect_to_gains(exact):
 
 
 def test_a_plant_with_switchings_is_refused():
-    with pytest.raises(InputError, match="switchings.*backlash_lower"):
+    with pytest.raises(InputError, match=r"switchings.*backlash_lower"):
         run_gradient(cases.wall(), _cost, duration=0.1)

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+import jax.numpy as jnp
+
 from varistiff.actuators.slider_leaf_joint import SliderLeafJoint
 from varistiff.core import quantity
 from varistiff.core.errors import InputError
@@ -269,7 +271,7 @@ def _setting_stops(
     for name, end in ends:
         if math.isnan(end):
             raise InputError("is a setting that the groove does not have", field=f"{field}.{name}")
-    falling = float(path.at(ends[0][1]).slope) < 0.0
+    falling = float(path.at(jnp.asarray(ends[0][1])).slope) < 0.0
     low, high = ("max", "min") if falling else ("min", "max")
     found = dict(ends)
     return Stop(

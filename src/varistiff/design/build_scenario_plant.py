@@ -26,7 +26,7 @@ from varistiff.design.scenario_plant_spec import (
 )
 from varistiff.dynamics.path import Affine
 from varistiff.dynamics.plant import Gravity, Member, Plant
-from varistiff.dynamics.storage import Battery, Storage, Supercapacitor, Supply
+from varistiff.dynamics.storage import Battery, IdealSupply, Storage, Supercapacitor, Supply
 
 _STANDARD_GRAVITY = 9.80665  # m/s^2
 
@@ -67,6 +67,7 @@ def build_plant(spec: PlantSpec, joint: Joint) -> BuiltPlant:
         backlash=None if spec.backlash is None else spec.backlash.of(joint.link.position, "plant.backlash"),
         deflection_stop=stops(spec.deflection_stops, joint.link, "plant.deflection_stops"),
         driven=joint.driven,
+        motion_unit="m" if setting is not None and setting.measures is not ROTARY else "rad",
     )
     return BuiltPlant(plant, None if setting is None else setting.measures)
 
@@ -92,7 +93,7 @@ def _gravity(spec: GravitySpec | None, joint: Joint, field: str) -> Gravity | No
 
 def _storage(spec: AnyStorageSpec | None) -> Storage:
     if spec is None:
-        return Supply()
+        return IdealSupply(voltage=48.0)
     with within("plant.storage"):
         if isinstance(spec, SupplySpec):
             return Supply(

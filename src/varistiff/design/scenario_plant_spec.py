@@ -73,8 +73,8 @@ class StopsSpec(Part):
     def _ordered(self) -> StopsSpec:
         if self.min is None and self.max is None:
             raise wrong("neither min nor max is given; allowed is one of them or both", field="")
-        both = self.min is not None and self.max is not None and self.min.kind == self.max.kind
-        if both and not self.min.value < self.max.value:
+        low, high = self.min, self.max
+        if low is not None and high is not None and low.kind == high.kind and not low.value < high.value:
             raise wrong("min is not below max; allowed is min < max", field="min")
         return self
 

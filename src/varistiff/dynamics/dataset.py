@@ -56,14 +56,14 @@ def _units(run: Run) -> tuple[str, str]:
 
 def _motion(run: Run) -> dict[str, _Column]:
     rows, (unit, load) = run.rows, _units(run)
-    motion = rows.state.motion
+    motion, own = rows.state.motion, run.case.plant.motion_unit
     columns: dict[str, _Column] = {
         "link": (motion.link, unit, "link position"),
         "link_rate": (motion.link_rate, f"{unit}/s", "link rate"),
         "wanted_position": (rows.wanted_position, unit, "wanted link position"),
         "external_torque": (rows.flows.external_torque, load, "load from outside against the link"),
-        "motion": (motion.motion, "1", "coordinate of the setting drive, SI"),
-        "motion_rate": (motion.motion_rate, "1/s", "rate of the setting drive, SI"),
+        "motion": (motion.motion, own, "coordinate of the setting drive"),
+        "motion_rate": (motion.motion_rate, f"{own}/s", "rate of the setting drive"),
         "switchings": (rows.switchings, "1", "switchings located in the period before"),
     }
     if run.case.plant.driven:
@@ -92,13 +92,14 @@ def _actuator(run: Run) -> dict[str, _Column]:
 def _drives(run: Run) -> dict[str, _Column]:
     rows, plant = run.rows, run.case.plant
     columns: dict[str, _Column] = {}
-    for name, title, flows, command, heat in (
-        ("drive", "drive", rows.flows.drive, rows.command.drive, rows.state.drive_heat),
-        ("setting", "setting drive", rows.flows.setting, rows.command.setting, rows.state.setting_heat),
+    setting_torque = "N*m" if plant.motion_unit == "rad" else "N"
+    for name, title, torque, flows, command, heat in (
+        ("drive", "drive", _units(run)[1], rows.flows.drive, rows.command.drive, rows.state.drive_heat),
+        ("setting", "setting drive", setting_torque, rows.flows.setting, rows.command.setting, rows.state.setting_heat),
     ):
         columns |= {
-            f"{name}_command": (command, "SI", f"torque or force asked of the {title}"),
-            f"{name}_torque": (flows.torque, "SI", f"torque or force of the {title}"),
+            f"{name}_command": (command, torque, f"torque asked of the {title}"),
+            f"{name}_torque": (flows.torque, torque, f"torque of the {title}"),
             f"{name}_current": (flows.current, "A", f"current of the {title}"),
             f"{name}_voltage": (flows.voltage, "V", f"voltage at the {title}'s motor"),
             f"{name}_power": (flows.electrical_power, "W", f"electrical power drawn by the {title}"),

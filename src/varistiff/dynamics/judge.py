@@ -7,12 +7,11 @@ import numpy as np
 from varistiff.characteristic.evaluate import evaluate
 from varistiff.core.status import Status
 from varistiff.dynamics.audit import Audit
-from varistiff.dynamics.linear.closed_loop import closed_loop_poles
+from varistiff.dynamics.linear.closed_loop import closed_loop
 from varistiff.dynamics.outcome import Outcome
 from varistiff.dynamics.program import Case, Row
 
 _STABLE = 2.6  # Runge-Kutta of fourth order is unstable beyond 2.79 on the real axis, 2.83 on the imaginary one
-_GROWN = 1e-9  # a pole's distance beyond the unit circle that rounding does not explain
 _AHEAD = 8  # steps that the last finite state is followed to find where it was going
 
 
@@ -63,17 +62,17 @@ def _leaves_map(case: Case, rows: Row, kept: int) -> bool:
 
 
 def _runs_away(case: Case, rows: Row, kept: int) -> float | None:
-    """Instant from which an unstable loop swings wider than it ever did before; None for a loop that does not.
+    """Instant from which an unstable loop swings faster than it did before; None for a loop that does not.
 
-    A pole outside the unit circle says that it grows; the instant is where the position error first exceeds twice its
-    largest value in the first tenth of the run.
+    The instant is where a rate first exceeds twice its largest value in the first tenth of the run; that alone would
+    be any late motion, so the loop must also have a pole outside the unit circle.
     """
     if case.loop.drive is None and case.loop.setting is None:
-        return None
-    if max(abs(closed_loop_poles(case)), default=0.0) <= 1.0 + _GROWN:
         return None
     motion = rows.state.motion
     swing = np.abs(np.stack([motion.link_rate, motion.drive_rate, motion.motion_rate])[:, :kept])
     early = swing[:, : max(kept // 10, 2)].max(axis=1, keepdims=True)
     grown = (swing > 2.0 * early).any(axis=0)
-    return float(rows.time[int(np.argmax(grown))]) if grown.any() else None
+    if not grown.any() or not closed_loop(case).unstable:
+        return None
+    return float(rows.time[int(np.argmax(grown))])

@@ -72,7 +72,8 @@ def _peaks(run: Run, unit: str) -> dict[str, Metric]:
     for name, title, own, mode in drives:
         if mode == "locked":
             continue
-        peaks[f"{name}_torque_max"] = Metric(_most(own.torque), "", f"largest torque or force of the {title}", "SI")
+        torque = load_unit if name == "drive" else ("N*m" if plant.motion_unit == "rad" else "N")
+        peaks[f"{name}_torque_max"] = Metric(_most(own.torque), torque, f"largest torque of the {title}")
         peaks[f"{name}_current_max"] = Metric(_most(own.current), "A", f"largest current of the {title}")
         peaks[f"{name}_power_max"] = Metric(_most(own.electrical_power), "W", f"largest power of the {title}")
     return peaks

@@ -78,6 +78,7 @@ class Plant(eqx.Module):
     backlash : play between drive and link, as a whole width [rad] or [m]; None for none
     deflection_stop : limits of the deflection, between drive and link; None for none
     driven : False for a semi-active joint
+    motion_unit : SI unit of the setting drive's coordinate, for labels
 
     Notes
     -----
@@ -97,6 +98,7 @@ class Plant(eqx.Module):
     backlash: float | None = None
     deflection_stop: Stop | None = None
     driven: bool = eqx.field(static=True, default=True)
+    motion_unit: Literal["rad", "m"] = eqx.field(static=True, default="rad")
 
     def deflection(self, motion: Motion) -> Scalar:
         """Drive minus link; of a semi-active joint the link's position itself."""

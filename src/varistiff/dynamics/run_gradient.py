@@ -39,7 +39,7 @@ def run_gradient(case: Case, cost: Cost, *, duration: float, substeps: int = 1) 
 
     Notes
     -----
-    Encoders count as ideal: their derivative is taken as 1. Where a limit is active the derivative is that of the limit.
+    Encoders count as ideal: their derivative is taken as 1. Where a limit is active the derivative is the limit's.
     """
     names = switch_names(case.plant, case.inputs, duration)
     if names:

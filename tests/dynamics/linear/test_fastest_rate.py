@@ -21,7 +21,19 @@ from varistiff.dynamics.state import Motion
 from varistiff.dynamics.stop import Stop
 from varistiff.elastic.leaf import Leaf
 
-from .joints import DRIVE, LINK, PERIOD, SCREW, STIFFNESS, case, maccepa, maccepa_stiffness, moving, two_mass
+from .joints import (
+    DRIVE,
+    LINK,
+    PERIOD,
+    SCREW,
+    SPRING_RATE,
+    STIFFNESS,
+    case,
+    maccepa,
+    maccepa_stiffness,
+    moving,
+    two_mass,
+)
 
 TIGHT = 1e-9  # exact derivatives, rounding of eigenvalues
 
@@ -57,6 +69,17 @@ def test_the_stiffest_setting_within_its_travel_counts() -> None:
     # the travel is looked at from just inside its ends, 1e-9 of it
     assert fastest_rate(case(plant, moving(motion=2.0)), stops=False) == pytest.approx(expected, rel=1e-7)
     assert expected == swing(maccepa_stiffness(0.002 + SCREW * 7.0))
+
+
+def test_ends_of_the_travel_are_looked_at_without_their_stops() -> None:
+    travel = Stop(lower=1.0, upper=7.0, stiffness=900.0)
+    plant = maccepa(
+        setting=Member(2e-4, stop=travel), link=Member(LINK, mode="locked"), drive=Member(DRIVE, mode="locked")
+    )
+    wound = math.sqrt(SPRING_RATE * SCREW**2 / 2e-4)  # the spring pulls the screw back
+    assert fastest_rate(case(plant, moving(motion=2.0)), stops=False) == pytest.approx(wound, rel=TIGHT)
+    pressed = math.sqrt((SPRING_RATE * SCREW**2 + 900.0) / 2e-4)
+    assert fastest_rate(case(plant, moving(motion=2.0))) == pytest.approx(pressed, rel=TIGHT)
 
 
 def test_a_shorted_motor_brakes() -> None:

@@ -209,7 +209,7 @@ def test_a_link_at_its_stop_lies_against_it(made: Callable[[str], Made]) -> None
     c, s = math.cos(top), math.sin(top)
     corners = block.at(0) @ np.array([[c, -s], [s, c]])  # seen from an arm at the stop
     assert corners[:, 1].min() == pytest.approx(0.5 * arm.width, rel=1e-9)
-    assert ("stop of the link", INK, "patch") in scene.key
+    assert ("stop", INK, "patch") in scene.key
 
 
 def test_frames_are_where_things_move() -> None:

@@ -27,7 +27,7 @@ def build_scene(actuator: Actuator, frames: Frames) -> Scene | None:
         return scene  # the marks are arms
     key = list(scene.key)
     if frames.wanted is not None:
-        key.append(("where the link should be", INK, "dash"))
+        key.append(("wanted", INK, "dash"))
     if any(map(math.isfinite, frames.stops)):
-        key.append(("stop of the link", INK, "patch"))
+        key.append(("stop", INK, "patch"))
     return replace(scene, key=tuple(key))
