@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -9,7 +10,9 @@ import xarray as xr
 
 from varistiff.characteristic.provenance import provenance
 from varistiff.core.status import Status
+from varistiff.dynamics.drives import Motor
 from varistiff.dynamics.ledger import LONG_NAMES
+from varistiff.dynamics.plant import Plant
 from varistiff.dynamics.simulate import Run
 
 
@@ -32,6 +35,9 @@ def run_dataset(run: Run) -> xr.Dataset:
             "flag_meanings": " ".join(status.label for status in Status),
         },
     )
+    for name, limits in _limits(run.case.plant).items():
+        if name in variables:
+            variables[name].attrs["limits"] = limits
     time = xr.Variable("time", run.time, {"units": "s", "long_name": "time"})
     attributes: dict[str, Any] = {
         **provenance(run.case.plant.actuator),
@@ -77,6 +83,7 @@ def _actuator(run: Run) -> dict[str, _Column]:
     actuator = run.case.plant.actuator
     columns: dict[str, _Column] = {
         "deflection": (rows.deflection, unit, "deflection"),
+        "stretch": (_stretch(run), unit, "deflection of the elastic element, without the backlash"),
         "load": (response.load, load, "load"),
         "stiffness": (response.stiffness, f"{load}/{unit}", "tangent stiffness"),
         "stress": (response.stress, "Pa", "largest stress in the elastic element"),
@@ -87,6 +94,25 @@ def _actuator(run: Run) -> dict[str, _Column]:
         columns["setting"] = (rows.setting, actuator.setting_unit, "setting")
         columns["adjusting_load"] = (response.adjusting_load, adjusting, "adjusting load")
     return columns
+
+
+def _stretch(run: Run) -> np.ndarray:
+    return np.asarray(run.case.plant.stretch(run.rows.state.motion))
+
+
+def _limits(plant: Plant) -> dict[str, tuple[float, float]]:
+    """Lowest and highest value that a variable may have; infinite where there is no limit."""
+    limits: dict[str, tuple[float, float]] = {}
+    for name, stop in (("link", plant.link.stop), ("drive", plant.drive.stop), ("deflection", plant.deflection_stop)):
+        if stop is not None:
+            limits[name] = (float(stop.lower), float(stop.upper))
+    for name, motor in (("drive", plant.drive_motor), ("setting", plant.setting_motor)):
+        limits[f"{name}_torque"] = (-float(motor.torque_limit), float(motor.torque_limit))
+        limits[f"{name}_temperature"] = (-math.inf, float(motor.temperature_limit))
+        if isinstance(motor, Motor):
+            limits[f"{name}_current"] = (-float(motor.current_limit), float(motor.current_limit))
+            limits[f"{name}_voltage"] = (-float(motor.voltage_limit), float(motor.voltage_limit))
+    return limits
 
 
 def _drives(run: Run) -> dict[str, _Column]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import re
 import sys
 from dataclasses import dataclass
 from datetime import UTC, datetime
@@ -77,7 +76,7 @@ def analyse(design: Design, output: str | os.PathLike[str], *, progress: bool = 
 
 def _write_figures(design: Design, dataset: xr.Dataset, folder: Path, tell: _Tell) -> list[Picture]:
     from varistiff.report.figures import draw_all
-    from varistiff.report.html import Picture
+    from varistiff.report.files import saved
     from varistiff.report.mechanism import draw_mechanism
 
     folder.mkdir()
@@ -85,10 +84,7 @@ def _write_figures(design: Design, dataset: xr.Dataset, folder: Path, tell: _Tel
     first, last = draw_mechanism(design.actuator, dataset), _section_stress(design, dataset)
     for drawing in (drawing for drawing in (first, *draw_all(dataset), last) if drawing is not None):
         tell(f"figure {drawing.name}")
-        svg = drawing.svg()
-        (folder / f"{drawing.name}.svg").write_text(svg, encoding="utf-8")
-        drawing.save_png(folder / f"{drawing.name}.png")
-        pictures.append(Picture(drawing.name, drawing.title, drawing.caption, svg))
+        pictures.append(saved(drawing, folder))
     return pictures
 
 
@@ -108,18 +104,9 @@ def _write_report(design: Design, dataset: xr.Dataset, sheet: Datasheet, picture
 
 
 def _write_data(dataset: xr.Dataset, sheet: Datasheet, folder: Path) -> None:
-    packed = {
-        name: {"zlib": True, "complevel": 1} for name, variable in dataset.data_vars.items() if variable.size > 1000
-    }
-    path = folder / "map.nc"
-    try:
-        dataset.to_netcdf(path, engine="h5netcdf", encoding=packed)
-    except (OSError, RuntimeError) as error:
-        # HDF5 tells of a full disk in the middle of a long text, and not always as an OSError
-        number = re.search(r"errno = (\d+)", str(error))
-        if number is None:
-            raise
-        raise OSError(int(number[1]), os.strerror(int(number[1])), str(path)) from error
+    from varistiff.report.files import write_netcdf
+
+    write_netcdf(dataset, folder / "map.nc")
     text = json.dumps(sheet.as_dict(), indent=2, ensure_ascii=False, allow_nan=False)
     (folder / "datasheet.json").write_text(text + "\n", encoding="utf-8")
     (folder / "datasheet.csv").write_text(sheet.as_csv(), encoding="utf-8")

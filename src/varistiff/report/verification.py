@@ -8,7 +8,6 @@ import json
 import math
 import os
 from datetime import UTC, datetime
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -18,9 +17,9 @@ from varistiff.fe.comparison import Comparison, Method
 from varistiff.report.display import display
 from varistiff.report.figures import comparison as comparison_figure
 from varistiff.report.figures import leaf_stress, solid_stress
+from varistiff.report.files import saved
 from varistiff.report.html import Picture, embedded, filled
 from varistiff.report.replaceable import FIGURES, check_replaceable
-from varistiff.report.style import Drawing
 
 MARKERS = ("comparison.csv", "comparison.json", "report.html")
 
@@ -50,7 +49,7 @@ def write_verification(
         (folder / "comparison.csv").write_text(as_csv(comparison), encoding="utf-8")
         text = json.dumps(as_dict(comparison, about), indent=2, ensure_ascii=False, allow_nan=False)
         (folder / "comparison.json").write_text(text + "\n", encoding="utf-8")
-        pictures = [_saved(drawing, folder / FIGURES) for drawing in drawings]
+        pictures = [saved(drawing, folder / FIGURES) for drawing in drawings]
         (folder / "report.html").write_text(_page(comparison, about, pictures, setting_unit), encoding="utf-8")
 
 
@@ -150,14 +149,6 @@ def _cell(comparison: Comparison, method: Method, row: int, factor: float) -> st
 
 def _plain(values: Any) -> list[float | None]:
     return [float(value) if math.isfinite(value) else None for value in values]
-
-
-def _saved(drawing: Drawing, folder: Path) -> Picture:
-    folder.mkdir(exist_ok=True)
-    svg = drawing.svg()
-    (folder / f"{drawing.name}.svg").write_text(svg, encoding="utf-8")
-    drawing.save_png(folder / f"{drawing.name}.png")
-    return Picture(drawing.name, drawing.title, drawing.caption, svg)
 
 
 def _page(comparison: Comparison, about: dict[str, str], pictures: list[Picture], setting_unit: str) -> str:

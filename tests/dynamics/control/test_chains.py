@@ -22,6 +22,7 @@ from varistiff.dynamics.control import (
     Pid,
     SensedSpring,
     SettingHold,
+    StiffnessChain,
     StiffnessPid,
     WangChain,
     Wanted,
@@ -236,6 +237,24 @@ def test_stiffness_pid_asks_for_an_angle(wang_joint: SliderLeafJoint) -> None:
     command, _ = helped.sample(helped.start(measured, wanted), measured, wanted, 0.001)
     assert float(command) == pytest.approx(12.0 * error + float(spring.adjusting_torque(measured)), rel=1e-12)
     assert float(spring.adjusting_torque(measured)) < -0.1  # the slider wants outwards
+
+
+class Echo(StiffnessChain):
+    """Asks for a coordinate equal to the deflection that it is told."""
+
+    def motion(self, stiffness: Any, deflection: Any) -> Any:
+        return deflection
+
+    def stiffness(self, motion: Any, deflection: Any) -> Any:
+        return motion
+
+
+@pytest.mark.parametrize("driven, deflection", [(True, 0.2), (False, 0.3)])
+def test_chain_is_told_the_deflection(driven: bool, deflection: float) -> None:
+    measured, wanted = Measured(link=0.3, drive=0.5, motion=0.0), Wanted(stiffness=600.0)
+    controller = StiffnessPid(Pid(proportional=1.0), Echo(), driven=driven)
+    command, _ = controller.sample(controller.start(measured, wanted), measured, wanted, 0.001)
+    assert float(command) == pytest.approx(deflection, rel=1e-14)
 
 
 def test_setting_hold_is_a_servo_to_one_place(wang_joint: SliderLeafJoint) -> None:

@@ -84,6 +84,21 @@ def test_impedance_at_rest_is_the_virtual_spring(simulate: Any) -> None:
     assert states[-1, 2] - states[-1, 0] == pytest.approx(outside / 160.0, abs=1e-9)
 
 
+def test_every_term_of_the_virtual_impedance() -> None:
+    inner = TorqueControl(Pid(1.0), SensedSpring(SeriesElastic(stiffness=160.0)))
+    controller = ImpedanceControl(inner, stiffness=40.0, damping=3.0, inertia=0.2)
+    wanted = Wanted(position=0.5, position_rate=1.1, position_acceleration=7.0, torque=0.3)
+    torque = controller.torque(Measured(0.4, 0.45, 0.0), wanted, 0.6)
+    # K_v (q_w - q) + D_v (q_w' - q') + J_v q_w'' + tau_w
+    assert float(torque) == pytest.approx(40.0 * 0.1 + 3.0 * 0.5 + 0.2 * 7.0 + 0.3, rel=1e-13)
+    # the loop asks the spring for it: u = tau + k_p (tau - 160 * 0.05), with the rate 0 of a link that has not moved
+    command, _ = controller.sample(
+        controller.start(Measured(0.4, 0.45, 0.0), wanted), Measured(0.4, 0.45, 0.0), wanted, 1e-3
+    )
+    asked = 40.0 * 0.1 + 3.0 * 1.1 + 0.2 * 7.0 + 0.3
+    assert float(command) == pytest.approx(asked + (asked - 8.0), rel=1e-13)
+
+
 def free_answer(time: np.ndarray, stiffness: float, damping: float, inertia: float) -> np.ndarray:
     """J e'' + D e' + K e = 0 from e = 1 at rest, underdamped."""
     decay = damping / (2.0 * inertia)

@@ -57,6 +57,11 @@ def test_holes_on_the_steep_side_are_left_out() -> None:
     assert float(edge) == pytest.approx(0.3, abs=0.9 / 16.0)  # as near as bisection comes to the last value
 
 
+def test_holes_on_the_steep_side_of_a_rising_function_are_left_out() -> None:
+    found = monotone_inverse(lambda x: jnp.where(x < 0.4, x, jnp.nan), 0.1, 0.0, 1.0, rising=True)
+    assert float(found) == pytest.approx(0.1, rel=1e-13)
+
+
 def test_flat_functions_do_not_break_it() -> None:
     found = monotone_inverse(lambda x: jnp.where(x < 0.5, 0.0, x - 0.5), 0.25, 0.0, 1.0, rising=True)
     assert float(found) == pytest.approx(0.75, rel=1e-13)

@@ -51,6 +51,7 @@ class _Course(NamedTuple):
     load: Vector
     current: Vector
     voltage: Vector
+    power: Vector
 
 
 @dataclass(frozen=True)
@@ -98,7 +99,7 @@ def roller_plan(
 ) -> RollerPlan:
     """Return the course that minimises mean (load - M)^2 + weight * electrical energy, with current and voltage kept.
 
-        F = (m + n^2 J) x'' + dV/dx - m x q'^2,    i = (F/n + friction)/k,    P = (R i + k n x') i
+        F = (m + n^2 J) x'' + dV/dx - m x q'^2,    i = (F/n + friction)/k,    P = (dV/dx - m x q'^2 + n friction) x' + R i^2
 
     The logarithm of the place is a logistic function of a Fourier series, so that it stays within the travel. Work that
     the joint would take from the walker beyond what the gait brakes, net, is priced too.
@@ -181,11 +182,15 @@ def _course(y: Vector, *, actuator: Actuator, shuttle: Shuttle, cycle: _Cycle, e
     rotor = motor.gear_ratio * speed
     friction = motor.friction_torque * jnp.tanh(rotor / motor.smoothing_rate) + motor.viscous_friction * rotor
     current = (force / motor.gear_ratio + friction) / motor.torque_constant
-    return _Course(setting, response.load, current, motor.resistance * current + motor.torque_constant * rotor)
+    voltage = motor.resistance * current + motor.torque_constant * rotor
+    # a cycle gives back what it puts into inertia: left out, so that too few instants cannot make energy of it
+    steady = force - inertia * acceleration
+    power = steady * speed + friction * rotor + motor.resistance * current**2
+    return _Course(setting, response.load, current, voltage, power)
 
 
 def _cost(course: _Course, motor: Motor, cycle: _Cycle, weight: float) -> Any:
-    energy = cycle.duration * jnp.mean(course.current * course.voltage)
+    energy = cycle.duration * jnp.mean(course.power)
     braked = cycle.duration * jnp.mean(course.load * cycle.rate)
     allowed = jnp.maximum(cycle.duration * jnp.mean(cycle.wanted * cycle.rate), 0.0)
     beyond = (
@@ -210,6 +215,6 @@ def _plan(course: _Course, time: np.ndarray, cycle: _Cycle, motor: Motor) -> Rol
         setting=closed(course.setting),
         load=closed(course.load),
         wanted=closed(cycle.wanted),
-        electrical_energy=float(cycle.duration * jnp.mean(course.current * course.voltage)),
+        electrical_energy=float(cycle.duration * jnp.mean(course.power)),
         copper_energy=float(cycle.duration * jnp.mean(motor.resistance * course.current**2)),
     )

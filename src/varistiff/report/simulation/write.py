@@ -12,12 +12,12 @@ from typing import Any
 import xarray as xr
 
 from varistiff.core.writing import staged_directory
+from varistiff.report.files import saved, write_netcdf
 from varistiff.report.html import Picture
 from varistiff.report.replaceable import FIGURES, check_replaceable
 from varistiff.report.simulation.contract import SimulationLike
 from varistiff.report.simulation.data_csv import as_csv
 from varistiff.report.simulation.figures import draw_all
-from varistiff.report.simulation.files import saved, write_netcdf
 from varistiff.report.simulation.mechanism import build_scene
 from varistiff.report.simulation.mechanism.frames import Frames
 from varistiff.report.simulation.mechanism.strip import draw_strip

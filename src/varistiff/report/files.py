@@ -15,7 +15,8 @@ PACKED_ABOVE = 1000  # values; below, compression costs more than it saves
 
 
 def saved(drawing: Drawing, folder: Path) -> Picture:
-    """Write a drawing as SVG and PNG; returns what the report embeds."""
+    """Write a drawing as SVG and PNG into a folder, which is made; returns what the report embeds."""
+    folder.mkdir(exist_ok=True)
     svg = drawing.svg()
     (folder / f"{drawing.name}.svg").write_text(svg, encoding="utf-8")
     drawing.save_png(folder / f"{drawing.name}.png")
