@@ -19,10 +19,10 @@ import pytest
 
 import varistiff
 from varistiff.actuators.slider_leaf_joint import SliderLeafJoint
+from varistiff.cli.validation import means_scenario
 from varistiff.core.errors import InputError
 from varistiff.core.textfile import parse_yaml
 from varistiff.design.scenario import Scenario, load_scenario
-from varistiff.design.scenario_read import means_scenario
 from varistiff.design.scenario_spec import scenario_json_schema
 from varistiff.dynamics.carried_mass import CarriedMass
 from varistiff.dynamics.control import (

@@ -100,6 +100,9 @@ WRONG = [
     (WALL, "max: 20 deg, ", "", "plant.link.stops: neither min nor max is given"),
     (SWING, "coulomb: 2 mN*m", "coulomb: 2 mN*m, breakaway: 1 mN*m", "dry_friction.breakaway: is below coulomb"),
     (SWING, "frequency: 0.8 Hz", "frequency: 0 Hz", "reference.position.frequency: "),
+    (WALL, "gear_ratio: 50", "gear_ratio: 1e200", "plant.drive.gear_ratio: 1e+200 is no magnitude of a joint"),
+    (SPRING, "lead: 4 mm", "lead: 1e-300 mm", 'transmission.lead: "1e-300 mm" is no magnitude of a joint'),
+    (SPRING, "height: 3 N", "height: 1e16 N", 'load.force.height: "1e16 N" is no magnitude of a joint'),
     # times
     (WALL, "period: 1 ms", "period: 0 ms", 'control.period: "0 ms" is not allowed; allowed is a time above zero'),
     (WALL, "period: 1 ms", "period: 3 ms", "duration: is 1 s, no whole number of periods of 0.003 s; allowed is for"),

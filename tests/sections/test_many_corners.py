@@ -62,7 +62,7 @@ def test_regular_polygons_as_the_conformal_map_has_them(sides: int) -> None:
     found = polygon_of_points(ring(1.0, 0.1 + even(sides))).properties()
     error = abs(found.torsion_constant / exact.torsion_constant - 1.0)
     assert error < min(found.error, 1e-7)
-    assert found.error < 1e-6
+    assert found.error < 2e-6
     assert found.torsion_constant / found.torsion_modulus == pytest.approx(exact.largest_stress, rel=2e-4)
     middle = math.cos(math.pi / sides)  # of a side, where the stress is largest
     assert [math.hypot(*point) for point in found.stress_points] == pytest.approx([middle], rel=1e-4)

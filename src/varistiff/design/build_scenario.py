@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from pathlib import Path
 
+import numpy as np
+
 from varistiff.core.errors import InputError
 from varistiff.core.quantity import Kind
 from varistiff.design.build_scenario_control import WHOLE, Built, build_loop
@@ -45,6 +47,15 @@ def build_case(spec: ScenarioSpec, design: Design, directory: Path) -> Case:
     ------
     InputError : parts that do not fit each other or the design's kind; says the field
     """
+    try:
+        return _case(spec, design, directory)
+    except InputError:
+        raise
+    except (ArithmeticError, ValueError, np.linalg.LinAlgError) as error:  # numbers too far apart for a design of gains
+        raise InputError(f"no joint or control can be made of these numbers: {' '.join(str(error).split())}") from error
+
+
+def _case(spec: ScenarioSpec, design: Design, directory: Path) -> Case:
     joint = Joint(design)
     period = DEFAULT_PERIOD if spec.control is None else spec.control.period
     _check_times(spec, period)
@@ -68,7 +79,7 @@ def _check_times(spec: ScenarioSpec, period: float) -> None:
         )
     if samples > SAMPLES_LIMIT:
         raise InputError(
-            f"makes {round(samples)} samples of {period:.9g} s; allowed are at most {SAMPLES_LIMIT}", field="duration"
+            f"makes {samples:.6g} samples of {period:.9g} s; allowed are at most {SAMPLES_LIMIT}", field="duration"
         )
     if spec.step is None:
         return

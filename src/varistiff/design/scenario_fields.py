@@ -15,6 +15,7 @@ from varistiff.core.quantity import Kind
 from varistiff.core.suggest import quoted
 from varistiff.design.fields import NUMBER_PATTERN, QuantityOf, Sign, unit_pattern, wrong
 
+SMALLEST = 1e-15  # magnitude in SI units; its inverse is the largest
 PURE_NUMBER = Kind("a plain number", "0.5", "1", ())
 
 
@@ -83,6 +84,30 @@ LINEAR = Measures(
 )
 
 
+def bounded(number: float, value: object) -> float:
+    """Refuse a magnitude that no joint has, whose square or quotient a float may not even hold."""
+    if number != 0.0 and not SMALLEST <= abs(number) <= 1.0 / SMALLEST:
+        raise wrong(f"{quoted(value)} is no magnitude of a joint; allowed is from 1e-15 to 1e15 in SI units, or zero")
+    return number
+
+
+@dataclass(frozen=True, slots=True)
+class Bounded:
+    """Annotation of a float field that a file gives as text with a unit of one kind, neither tiny nor huge."""
+
+    quantity: QuantityOf
+
+    def parse(self, value: Any) -> float:
+        """Return the SI value; raise what pydantic collects."""
+        return bounded(self.quantity.parse(value), value)
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        return core_schema.no_info_plain_validator_function(self.parse)
+
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
+        return self.quantity.__get_pydantic_json_schema__(schema, handler)
+
+
 @dataclass(frozen=True, slots=True)
 class QuantityOfOne:
     """Annotation of an ``Amount`` field that a file gives as text with a unit of one of several kinds."""
@@ -99,7 +124,7 @@ class QuantityOfOne:
             raise wrong(error.problem.removesuffix(self.kinds[0].allowed()) + self.allowed()) from None
         if (self.sign == "positive" and number <= 0.0) or (self.sign == "not negative" and number < 0.0):
             raise wrong(f"{quoted(value)} is not allowed; {self.allowed()}")
-        return Amount(number, kind or self.kinds[0], str(value))
+        return Amount(bounded(number, value), kind or self.kinds[0], str(value))
 
     def allowed(self) -> str:
         """What is allowed, with examples."""
@@ -151,7 +176,7 @@ class NumberOf:
             or value in (math.inf, -math.inf)
         ):
             raise wrong(f"is {quoted(value)}; allowed is {self.text}")
-        return value if self.whole else float(value)
+        return value if self.whole else bounded(float(value), value)
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         return core_schema.no_info_plain_validator_function(self.parse)
@@ -201,7 +226,7 @@ class DelayOf:
             seconds = quantity.parse_quantity(value, quantity.TIME)
         except InputError as error:
             raise wrong(f"{error.problem}, or a whole number of periods") from None
-        if seconds < 0.0:
+        if bounded(seconds, value) < 0.0:
             raise wrong(f"{quoted(value)} is not allowed; {quantity.TIME.allowed('of zero or above')}")
         return seconds
 
@@ -235,27 +260,30 @@ SignalValue = Annotated[Amount, QuantityOfOne((*_POSITION, *_LOAD, *_STIFFNESS))
 LineSlope = Annotated[Amount, SlopeOfLine()]
 Delay = Annotated[float | int, DelayOf()]
 
-Time = Annotated[float, QuantityOf(quantity.TIME)]
-PositiveTime = Annotated[float, QuantityOf(quantity.TIME, "positive")]
-NonNegativeTime = Annotated[float, QuantityOf(quantity.TIME, "not negative")]
-PositiveFrequency = Annotated[float, QuantityOf(quantity.FREQUENCY, "positive")]
-PositiveMass = Annotated[float, QuantityOf(quantity.MASS, "positive")]
-PositiveInertia = Annotated[float, QuantityOf(quantity.MOMENT_OF_INERTIA, "positive")]
-NonNegativeInertia = Annotated[float, QuantityOf(quantity.MOMENT_OF_INERTIA, "not negative")]
-PositiveVoltage = Annotated[float, QuantityOf(quantity.VOLTAGE, "positive")]
-NonNegativeVoltage = Annotated[float, QuantityOf(quantity.VOLTAGE, "not negative")]
-PositiveCurrent = Annotated[float, QuantityOf(quantity.CURRENT, "positive")]
-NonNegativeCurrent = Annotated[float, QuantityOf(quantity.CURRENT, "not negative")]
-PositiveResistance = Annotated[float, QuantityOf(quantity.RESISTANCE, "positive")]
-NonNegativeResistance = Annotated[float, QuantityOf(quantity.RESISTANCE, "not negative")]
-PositiveCapacitance = Annotated[float, QuantityOf(quantity.CAPACITANCE, "positive")]
-PositiveCharge = Annotated[float, QuantityOf(quantity.CHARGE, "positive")]
-PositiveTorqueConstant = Annotated[float, QuantityOf(quantity.TORQUE_CONSTANT, "positive")]
-PositiveThermalResistance = Annotated[float, QuantityOf(quantity.THERMAL_RESISTANCE, "positive")]
-PositiveTemperatureDifference = Annotated[float, QuantityOf(quantity.TEMPERATURE_DIFFERENCE, "positive")]
-NonNegativePerTemperature = Annotated[float, QuantityOf(quantity.PER_TEMPERATURE, "not negative")]
-NonNegativePerTime = Annotated[float, QuantityOf(quantity.PER_TIME, "not negative")]
-NonNegativeRotationalDamping = Annotated[float, QuantityOf(quantity.ROTATIONAL_DAMPING, "not negative")]
+Angle = Annotated[float, Bounded(QuantityOf(quantity.ANGLE))]
+Length = Annotated[float, Bounded(QuantityOf(quantity.LENGTH))]
+PositiveLength = Annotated[float, Bounded(QuantityOf(quantity.LENGTH, "positive"))]
+Time = Annotated[float, Bounded(QuantityOf(quantity.TIME))]
+PositiveTime = Annotated[float, Bounded(QuantityOf(quantity.TIME, "positive"))]
+NonNegativeTime = Annotated[float, Bounded(QuantityOf(quantity.TIME, "not negative"))]
+PositiveFrequency = Annotated[float, Bounded(QuantityOf(quantity.FREQUENCY, "positive"))]
+PositiveMass = Annotated[float, Bounded(QuantityOf(quantity.MASS, "positive"))]
+PositiveInertia = Annotated[float, Bounded(QuantityOf(quantity.MOMENT_OF_INERTIA, "positive"))]
+NonNegativeInertia = Annotated[float, Bounded(QuantityOf(quantity.MOMENT_OF_INERTIA, "not negative"))]
+PositiveVoltage = Annotated[float, Bounded(QuantityOf(quantity.VOLTAGE, "positive"))]
+NonNegativeVoltage = Annotated[float, Bounded(QuantityOf(quantity.VOLTAGE, "not negative"))]
+PositiveCurrent = Annotated[float, Bounded(QuantityOf(quantity.CURRENT, "positive"))]
+NonNegativeCurrent = Annotated[float, Bounded(QuantityOf(quantity.CURRENT, "not negative"))]
+PositiveResistance = Annotated[float, Bounded(QuantityOf(quantity.RESISTANCE, "positive"))]
+NonNegativeResistance = Annotated[float, Bounded(QuantityOf(quantity.RESISTANCE, "not negative"))]
+PositiveCapacitance = Annotated[float, Bounded(QuantityOf(quantity.CAPACITANCE, "positive"))]
+PositiveCharge = Annotated[float, Bounded(QuantityOf(quantity.CHARGE, "positive"))]
+PositiveTorqueConstant = Annotated[float, Bounded(QuantityOf(quantity.TORQUE_CONSTANT, "positive"))]
+PositiveThermalResistance = Annotated[float, Bounded(QuantityOf(quantity.THERMAL_RESISTANCE, "positive"))]
+PositiveTemperatureDifference = Annotated[float, Bounded(QuantityOf(quantity.TEMPERATURE_DIFFERENCE, "positive"))]
+NonNegativePerTemperature = Annotated[float, Bounded(QuantityOf(quantity.PER_TEMPERATURE, "not negative"))]
+NonNegativePerTime = Annotated[float, Bounded(QuantityOf(quantity.PER_TIME, "not negative"))]
+NonNegativeRotationalDamping = Annotated[float, Bounded(QuantityOf(quantity.ROTATIONAL_DAMPING, "not negative"))]
 
 AnyNumber = Annotated[float, NumberOf("a finite number")]
 NonNegativeNumber = Annotated[float, NumberOf("a number of zero or above", low=0.0)]

@@ -6,9 +6,11 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field, Tag, model_validator
 
-from varistiff.design.fields import Angle, Length, Part, PositiveLength, wrong
+from varistiff.design.fields import Part, wrong
 from varistiff.design.scenario_fields import (
+    Angle,
     Efficiency,
+    Length,
     LineSlope,
     NonNegativeCurrent,
     NonNegativeDamping,
@@ -23,6 +25,7 @@ from varistiff.design.scenario_fields import (
     PositiveCharge,
     PositiveCurrent,
     PositiveInertia,
+    PositiveLength,
     PositiveLoad,
     PositiveMass,
     PositiveNumber,

@@ -43,16 +43,3 @@ def validated_scenario(document: Any) -> ScenarioSpec:
         return ScenarioSpec.model_validate(document)
     except ValidationError as error:
         raise translated(error, root=ScenarioSpec) from None
-
-
-def means_scenario(path: str | os.PathLike[str]) -> bool:
-    """Whether a file means to be a scenario and not a design: it names a plant or a design, and no actuator.
-
-    An unreadable file means neither; reading it as one of them says what is wrong.
-    """
-    try:
-        _, documents = read_yaml_documents(path)
-    except InputError:
-        return False
-    first = documents[0]
-    return isinstance(first, dict) and "actuator" not in first and not {"design", "plant"}.isdisjoint(first)

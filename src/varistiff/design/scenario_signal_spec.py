@@ -6,8 +6,9 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from varistiff.design.fields import Angle, Part, wrong
+from varistiff.design.fields import Part, wrong
 from varistiff.design.scenario_fields import (
+    Angle,
     AnyNumber,
     NonNegativeTime,
     PositiveFrequency,

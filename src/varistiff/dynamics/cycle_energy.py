@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import jax
 import jax.numpy as jnp
 import numpy as np
+from jaxtyping import Array, Bool, Float
 
 from varistiff.core.errors import InputError
 from varistiff.dynamics.drives import Motor
@@ -14,6 +15,7 @@ from varistiff.dynamics.ledger import LOSSES
 from varistiff.dynamics.semi_active import regenerates
 from varistiff.dynamics.simulate import Run
 
+Scalar = Float[Array, ""]
 _ON_A_ROW = 1e-6  # of the period: how near a row an end of the cycle has to be
 
 
@@ -124,8 +126,12 @@ def _regenerating_share(run: Run, part: slice) -> float:
     if not isinstance(motor, Motor):
         return float("nan")
     coupling = motor.gear_ratio * motor.torque_constant
-    rise = np.asarray(run.rows.state.setting_heat.winding)[part]
-    resistance = motor.resistance * (1.0 + motor.resistance_coefficient * rise)
-    current, rate = np.asarray(run.rows.flows.setting.current)[part], np.asarray(run.rows.state.motion.motion_rate)[part]
-    feeds = jax.vmap(lambda i, w, r: regenerates(-coupling * i, w, resistance=r, coupling=coupling))
-    return float(jnp.mean(feeds(current, rate, resistance)[:-1]))
+    hot = 1.0 + motor.resistance_coefficient * jnp.asarray(run.rows.state.setting_heat.winding)[part]
+    torque = -coupling * jnp.asarray(run.rows.flows.setting.current)[part]
+    rate = jnp.asarray(run.rows.state.motion.motion_rate)[part]
+
+    def feeds(own: Scalar, speed: Scalar, factor: Scalar) -> Bool[Array, ""]:
+        # the condition knows R tau only: a hotter winding counts as a larger torque
+        return regenerates(own * factor, speed, resistance=motor.resistance, coupling=coupling)
+
+    return float(jnp.mean(jax.vmap(feeds)(torque, rate, hot)[:-1]))

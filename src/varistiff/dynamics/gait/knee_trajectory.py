@@ -14,7 +14,7 @@ from varistiff.core.errors import InputError
 from varistiff.dynamics.gait.knee import KneeGait
 from varistiff.dynamics.signals.limits import check_positive
 
-_SETTINGS = 257  # over the travel, evenly in its logarithm where it allows; the rest is interpolation
+_SETTINGS = 257  # over the travel, evenly in its logarithm; between them a straight line
 
 
 @dataclass(frozen=True)
@@ -66,8 +66,8 @@ def knee_trajectory(
     """Return the setting x_r at which load(q, x_r) = M(t) at the knee angle q(t), for each instant.
 
     Where several settings give the moment, the one nearest to the setting before is taken; where none does, the one
-    whose load comes nearest, an end of the travel or a turning point of the load. The cycle is gone round twice, so that the
-    first instant follows from the last.
+    whose load comes nearest: an end of the travel, or a turning point of the load. The cycle is gone round twice, so
+    that the first instant follows from the last.
 
     Parameters
     ----------

@@ -99,7 +99,8 @@ def roller_plan(
 ) -> RollerPlan:
     """Return the course that minimises mean (load - M)^2 + weight * electrical energy, with current and voltage kept.
 
-        F = (m + n^2 J) x'' + dV/dx - m x q'^2,    i = (F/n + friction)/k,    P = (dV/dx - m x q'^2 + n friction) x' + R i^2
+        F = (m + n^2 J) x'' + dV/dx - m x q'^2,    i = (F/n + friction)/k
+        P = (dV/dx - m x q'^2 + n friction) x' + R i^2, without what goes into inertia and comes back
 
     The logarithm of the place is a logistic function of a Fourier series, so that it stays within the travel. Work that
     the joint would take from the walker beyond what the gait brakes, net, is priced too.
