@@ -6,7 +6,7 @@ import platform
 import re
 from pathlib import Path
 
-from benchmarks import cold_start, maps, roller_contact, sections
+from benchmarks import cold_start, maps, roller_contact, sections, simulation
 from benchmarks.timing import pin_to_one_core
 
 PAGE = Path(__file__).parents[1] / "docs/performance.md"
@@ -28,6 +28,7 @@ def main() -> None:
         "roller_contact": roller_contact.table(),
         "maps": maps.table(),
         "sections": sections.table(),
+        "simulation": simulation.table(),
         "cold_start": cold,
     }
     text = PAGE.read_text(encoding="utf-8")

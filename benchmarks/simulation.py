@@ -31,14 +31,15 @@ from varistiff.dynamics.state import Motion
 DESIGN = Path(__file__).parents[1] / "examples/slider_leaf_joint.yaml"
 DURATION, PERIOD, BATCH = 3.0, 1e-3, 256
 LINK, DRIVE, DISC = (0.05, 0.5), (0.1, 2.0), (0.002, 0.05)  # inertia and viscous friction
-POSITION = dict(proportional=20.0, integral=10.0, derivative=1.0, filter_time=0.005)
-STIFFNESS = dict(proportional=2.0, integral=5.0, derivative=0.05, filter_time=0.005)
+POSITION = {"proportional": 20.0, "integral": 10.0, "derivative": 1.0, "filter_time": 0.005}
+STIFFNESS = {"proportional": 2.0, "integral": 5.0, "derivative": 0.05, "filter_time": 0.005}
 
 
 def wang_case(*, exact: bool = False, gain: float = 1.0) -> Case:
     """Position and stiffness of the joint tracked at 1 kHz, 1 Hz sines, Eq. (17) with ideal torques."""
     joint = varistiff.load(DESIGN).actuator
-    assert isinstance(joint, SliderLeafJoint) and joint.groove is not None
+    assert isinstance(joint, SliderLeafJoint)
+    assert joint.groove is not None
     if exact:
         joint = eqx.tree_at(lambda own: own.theory, joint, LargeDeflection())
     start = float(joint.groove.angle(np.asarray(0.020)))

@@ -8,7 +8,16 @@ from pathlib import Path
 from typing import Any
 
 DEVICES = ("roller_beam", "torsion_tube", "antagonistic_leaves", "slider_leaf_joint", "maccepa")
-COMPUTED = ("torsion_radius", "torsion_lengths", "torsion_stress", "torsion_fillet", "joint_resonance", "joint_bode")
+COMPUTED = (
+    "torsion_radius",
+    "torsion_lengths",
+    "torsion_stress",
+    "torsion_fillet",
+    "joint_resonance",
+    "joint_bode",
+    "knee_map",
+    "knee_course",
+)
 
 
 def draw_all(app: Any) -> None:

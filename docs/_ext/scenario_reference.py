@@ -56,6 +56,7 @@ SECTIONS: dict[str, dict[str, str]] = {  # heading of a group, and its parts wit
         "LqrSpec": "`drive`: lqr",
         "StiffnessPidSpec": "`setting`: pid",
         "SettingHoldSpec": "`setting`: hold",
+        "SettingScheduleSpec": "`setting`: schedule",
         "VirtualSpringDamperSpec": "`setting`: virtual_spring_damper",
     },
     "Signals": {name: f"`kind: {kind}`" for name, kind in SIGNALS.items()},

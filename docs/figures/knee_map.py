@@ -32,5 +32,5 @@ def draw() -> Figure:
     moment = np.asarray(jax.vmap(gait.moment(BODY_MASS).at)(time).value)
     axes.plot(angle, moment, color=DRIVE, linewidth=2.0)
     axes.axhline(0.0, color=MUTED, linewidth=0.8)
-    axes.set(xlabel="flexion [deg]", ylabel="extensor moment [N m]", ylim=(-50.0, 78.0))
+    axes.set(xlabel="flexion [deg]", ylabel="extensor moment [N m]", xlim=(-2.0, 73.0), ylim=(-50.0, 78.0))
     return figure

@@ -41,7 +41,7 @@ from varistiff.dynamics.path import Affine, GroovePath
 from varistiff.dynamics.storage import Battery, Supercapacitor, Supply
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
-NAMES = ("wang_step", "sea_wall", "maccepa_swing")
+NAMES = ("wang_step", "sea_wall", "maccepa_swing", "knee_walking")
 EXACT = partial(pytest.approx, rel=1e-12, abs=1e-15)  # a few roundings of a conversion
 Load = Callable[..., Scenario]
 

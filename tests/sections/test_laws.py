@@ -166,6 +166,13 @@ def test_every_place_of_the_largest_stress_is_given() -> None:
     assert [math.hypot(*point) for point in points] == pytest.approx([1.0] * 8, rel=1e-3)
 
 
+def test_origin_far_away() -> None:
+    """A kilometre off, J and its stated error are as at home."""
+    near, far = (polygon_of_points([(x + shift, y) for x, y in L_CORNERS]).properties() for shift in (0.0, 1e3))
+    assert far.torsion_constant == pytest.approx(near.torsion_constant, rel=1e-11)
+    assert far.error == pytest.approx(near.error, rel=1e-2)
+
+
 def test_images_of_images() -> None:
     """A segment mirrored twice and turned back is itself."""
     segment = circle((0.3, 0.1), 0.5)[0]

@@ -62,7 +62,7 @@ def _case(spec: ScenarioSpec, design: Design, directory: Path) -> Case:
     plant, setting = build_plant(spec.plant, joint)
     inputs = _inputs(spec, joint, directory)
     motion = build_start(spec.start, joint, plant, inputs)
-    loop = build_loop(spec.control, Built(joint, plant, setting, motion, period))
+    loop = build_loop(spec.control, Built(joint, plant, setting, motion, period, directory))
     _check_followed(spec.reference, spec.control)
     return Case(plant, loop, inputs, motion, period)
 

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from pathlib import Path
 
 from varistiff.actuators.slider_leaf_joint import SliderLeafJoint
 from varistiff.core.errors import InputError
+from varistiff.design.build_scenario_signals import Place, build_signal
 from varistiff.design.scenario_control_spec import (
     AnyDriveControlSpec,
     AnySettingControlSpec,
@@ -18,6 +20,7 @@ from varistiff.design.scenario_control_spec import (
     PositionPidSpec,
     ServoSpec,
     SettingHoldSpec,
+    SettingScheduleSpec,
     StiffnessPidSpec,
     TorqueLoopSpec,
 )
@@ -48,6 +51,7 @@ from varistiff.dynamics.control import (
     virtual_spring_damper,
     wang_chain,
 )
+from varistiff.dynamics.control.setting_schedule import SettingSchedule
 from varistiff.dynamics.control_loop import Channel, ControlLoop
 from varistiff.dynamics.path import Affine, GroovePath
 from varistiff.dynamics.plant import Plant
@@ -66,6 +70,7 @@ class Built:
     setting : what the setting drive's own coordinate measures; None for a kind without a setting
     motion : the start
     period : of the loop [s]
+    directory : that the files of trajectories are relative to
     """
 
     joint: Joint
@@ -73,6 +78,7 @@ class Built:
     setting: Measures | None
     motion: Motion
     period: float
+    directory: Path
 
     @property
     def spring(self) -> SensedSpring:
@@ -262,6 +268,8 @@ def _setting_controller(spec: AnySettingControlSpec, built: Built) -> Controller
         return StiffnessPid(servo, _chain(spec, built), feedforward, plant.driven)
     if isinstance(spec, SettingHoldSpec):
         return SettingHold(servo, _held(spec, built), spring if spec.adjusting_feedforward else None)
+    if isinstance(spec, SettingScheduleSpec):
+        return _schedule(spec, servo, built)
     if plant.driven:
         raise InputError(
             f"virtual_spring_damper is for a semi-active joint; {built.joint.name} has a drive; allowed: hold, pid",
@@ -278,6 +286,15 @@ def _setting_controller(spec: AnySettingControlSpec, built: Built) -> Controller
         dead_band=spec.dead_band.of(built.joint.link.position, "dead_band"),
         filter_time=spec.rate_filter_time,
     )
+
+
+def _schedule(spec: SettingScheduleSpec, servo: Pid, built: Built) -> Controller:
+    assert built.joint.setting is not None
+    if not isinstance(built.plant.setting_path, Affine):
+        raise InputError("schedule needs a screw, a belt, a line or a direct drive", field="kind")
+    place = Place(built.joint.setting.position, "setting", built.directory)
+    inertia = float(built.plant.inertias(built.motion).setting)
+    return SettingSchedule(servo, build_signal(spec.setting, place), built.spring, inertia)
 
 
 def _held(spec: SettingHoldSpec, built: Built) -> float:

@@ -24,6 +24,7 @@ from varistiff.design.scenario_fields import (
     PositiveRate,
     PositiveTime,
 )
+from varistiff.design.scenario_signal_spec import SignalSpec
 
 
 class EncoderSpec(Part):
@@ -182,14 +183,21 @@ class VirtualSpringDamperSpec(ServoSpec):
     )
 
 
+class SettingScheduleSpec(ServoSpec):
+    """The setting follows a signal of its own, with what the map and its inertia ask for fed forward."""
+
+    kind: Literal["schedule"]
+    setting: SignalSpec = Field(description="Of the setting, against the time of the run")
+
+
 DriveControlSpec = Annotated[
     PositionPidSpec | TorqueControlSpec | ImpedanceSpec | DecouplingSpec | LqrSpec, Field(discriminator="kind")
 ]
 SettingControlSpec = Annotated[
-    StiffnessPidSpec | SettingHoldSpec | VirtualSpringDamperSpec, Field(discriminator="kind")
+    StiffnessPidSpec | SettingHoldSpec | SettingScheduleSpec | VirtualSpringDamperSpec, Field(discriminator="kind")
 ]
 AnyDriveControlSpec = PositionPidSpec | TorqueControlSpec | ImpedanceSpec | DecouplingSpec | LqrSpec
-AnySettingControlSpec = StiffnessPidSpec | SettingHoldSpec | VirtualSpringDamperSpec
+AnySettingControlSpec = StiffnessPidSpec | SettingHoldSpec | SettingScheduleSpec | VirtualSpringDamperSpec
 
 
 class ControlSpec(Part):

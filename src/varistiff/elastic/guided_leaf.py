@@ -10,7 +10,6 @@ import jax.numpy as jnp
 import numpy as np
 import numpy.typing as npt
 from numpy.polynomial import chebyshev, legendre
-from scipy.special import elliprd, elliprf
 
 from varistiff.elastic.leaf import Leaf
 from varistiff.elastic.leaf_law import Curve, Field, LeafLaw, LeafState, masked, require_shape
@@ -33,6 +32,8 @@ class _Series(NamedTuple):
 
 def _carlson(p: Numbers, e: Numbers) -> tuple[Numbers, Numbers]:
     """J0, J2 by Carlson's symmetric integrals."""
+    from scipy.special import elliprd, elliprf  # which the other laws of a leaf do without
+
     s = e * (1.0 + p)
     return elliprf(s, 1.0 + p, e), s / 3.0 * elliprd(1.0 + p, e, s)
 

@@ -95,7 +95,8 @@ class Boundary(NamedTuple):
     """What every placing of nodes on an outline needs to know of it, for its fundamental segments.
 
     ``starts`` and ``chords`` [m], shape (n, 2); ``curved`` tells which are not their chords; ``angles`` holds the
-    interior ones at both ends, shape (n, 2), ``lengths`` [m] shape (n,); ``size`` is the bounding box's diagonal [m].
+    interior ones at both ends, shape (n, 2), ``lengths`` [m] shape (n,); what a place costs of J goes with its share of
+    ``size`` [m].
     """
 
     outline: Outline
@@ -177,18 +178,19 @@ def sharp_corners(outline: Outline) -> tuple[Corner, ...]:
 
 
 def _size(boundary: Boundary) -> float:
-    """Length that goes with J by the fourth root, which is the diagonal of a square [m]: 2.3 (A^4/(40 Ip))^(1/4).
+    """Length that goes with J by the fourth root [m]: 2.3 (A^4/(40 Ip))^(1/4), which is the diagonal of a square.
 
     Saint-Venant's estimate of J from the area and the polar moment is low for tubes: the size is rather too small.
     """
-    outline, (t, w) = boundary.outline, gauss(16)
-    point, velocity = boundary.traced([t] * len(boundary.segments))
-    flux = (point[:, 0] * velocity[:, 1] - point[:, 1] * velocity[:, 0]) * np.tile(w, len(boundary.segments))
-    copies = outline.rotations * (2 if outline.mirror else 1)
-    area = 0.5 * copies * float(flux.sum())
-    centroid = copies * (point * flux[:, None]).sum(axis=0) / (3.0 * area)
-    centroid *= [outline.rotations == 1, outline.rotations == 1 and not outline.mirror]
-    polar = 0.25 * copies * float(((point**2).sum(axis=1) * flux).sum()) - area * float(centroid @ centroid)
+    t, w = gauss(16)
+    placed = images(boundary.outline, *boundary.traced([t] * len(boundary.segments)))
+    velocity = np.concatenate([one.tangent for one in placed])
+    point = np.concatenate([one.position for one in placed])
+    point -= point.mean(axis=0)  # the origin may lie anywhere
+    flux = (point[:, 0] * velocity[:, 1] - point[:, 1] * velocity[:, 0]) * np.tile(w, len(point) // w.size)
+    area = 0.5 * float(flux.sum())
+    centroid = (point * flux[:, None]).sum(axis=0) / (3.0 * area)
+    polar = 0.25 * float(((point**2).sum(axis=1) * flux).sum()) - area * float(centroid @ centroid)
     return 2.3 * area / (40.0 * polar) ** 0.25
 
 

@@ -110,9 +110,11 @@ def _whole(outline: Outline, nodes: Nodes) -> tuple[Points, Points, Values]:
 
 def _area_and_centroid(outline: Outline, nodes: Nodes) -> tuple[float, Points]:
     position, normal, weight = _whole(outline, nodes)
+    middle = position.mean(axis=0)  # the origin may lie far away
+    position = position - middle
     flux = (position * normal).sum(axis=1) * weight
     area = 0.5 * float(flux.sum())
-    centroid = (position * flux[:, None]).sum(axis=0) / (3.0 * area)
+    centroid = middle + (position * flux[:, None]).sum(axis=0) / (3.0 * area)
     if outline.rotations > 1:
         centroid = np.zeros(2)
     elif outline.mirror:
@@ -148,7 +150,9 @@ def _warping(outline: Outline, nodes: Nodes) -> Values:
     matrix[np.diag_indices(count)] += total
     if not outline.mirror:  # omega is known up to a constant
         matrix += nodes.weight * (2.0 * math.pi / nodes.weight.sum())
-    found: Values = lu_solve(lu_factor(matrix, check_finite=False), load, check_finite=False)
+    # the transpose lies in memory as LAPACK wants it, so nothing is copied
+    factors = lu_factor(matrix.T, overwrite_a=True, check_finite=False)
+    found: Values = lu_solve(factors, load, trans=1, check_finite=False)
     return found
 
 

@@ -231,7 +231,8 @@ def strip(axes: Axes, centreline: Array, thickness: float, *, colour: str, zorde
     across = np.stack([-along[:, 1], along[:, 0]], axis=1) / np.where(size > 0.0, size, 1.0)[:, None]
     half = 0.5 * thickness * across
     outline = np.concatenate([centreline + half, (centreline - half)[::-1]])
-    axes.add_patch(Polygon(outline, closed=True, facecolor=colour, edgecolor="none", zorder=zorder))
+    # the axes have their limits: add_patch would look for the outline's, slowly
+    axes.add_artist(Polygon(outline, closed=True, facecolor=colour, edgecolor="none", zorder=zorder))
 
 
 def block(
