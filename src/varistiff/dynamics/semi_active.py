@@ -50,11 +50,8 @@ def regenerates(braking_torque: Scalar, rate: Scalar, *, resistance: float, coup
     ----------
     braking_torque, rate, resistance, coupling : see ``semi_active_power``
 
-    >>> (
-    ...     bool(regenerates(2.0, 3.0, resistance=0.5, coupling=1.0)),
-    ...     bool(regenerates(-2.0, 3.0, resistance=0.5, coupling=1.0)),
-    ... )
-    (True, False)
+    >>> [bool(regenerates(torque, 3.0, resistance=0.5, coupling=1.0)) for torque in (2.0, -2.0)]
+    [True, False]
     """
     along = braking_torque * jnp.sign(rate)
     return (along > 0.0) & (along < coupling**2 * jnp.abs(rate) / resistance)
