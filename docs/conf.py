@@ -35,6 +35,7 @@ autodoc_typehints = "signature"
 autodoc_default_options = {"members": True, "show-inheritance": True}
 napoleon_google_docstring = False
 napoleon_use_rtype = False
+suppress_warnings = ["ref.python"]  # an annotation says Motion or Run, and two rooms have one; the link is left out
 nitpicky = False  # jaxtyping and pydantic put names into signatures that have no page
 
 html_math_renderer = "mathml"
