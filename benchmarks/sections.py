@@ -154,7 +154,8 @@ def table() -> list[str]:
     rate = _rate()
     rows = [
         "Errors of J are against the series for the square, else against a solution of ours with order 16 and a share "
-        "of 1e-12 for corners; the tests hold both against exact ones. sectionproperties: quadratic triangles, curved "
+        "of 1e-12 for corners, which is told the symmetry of the polygons; the tests hold both against exact ones. "
+        "sectionproperties: quadratic triangles, curved "
         "edges in facets as long as the triangles, meshing included, torsion alone. Floor: the operations of the dense "
         f"solutions, 2/3 N^3 and {KERNEL} N^2 for each image, at the {rate / 1e9:.0f} G operations/s of a product of "
         "matrices.",
