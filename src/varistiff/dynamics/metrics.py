@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 from varistiff.dynamics.outcome import Metric
 from varistiff.dynamics.response_metrics import bandwidth, step_metrics
 from varistiff.dynamics.simulate import Run
+from varistiff.dynamics.stiffness_variation import stiffness_variations, variation_metrics
 
 _SETTLED = "tracking after the first tenth of the run"
 
@@ -46,16 +47,14 @@ def _stiffness(run: Run, unit: str) -> dict[str, Metric]:
     stiffness = np.asarray(run.rows.flows.response.stiffness)
     error = stiffness - wanted
     late = time >= 0.1 * time[-1]
-    found = step_metrics(time, wanted, stiffness, per, "stiffness")
-    load = float(np.abs(run.rows.flows.response.load).max())
-    settling = found.pop("stiffness_settling_time")
-    note = settling.note + f"; largest load on the way {load:.3g} {'N*m' if unit == 'rad' else 'N'}"
+    load_unit = "N*m" if unit == "rad" else "N"
+    variations = stiffness_variations(time, wanted, stiffness, np.asarray(run.rows.flows.response.load))
     return {
         "stiffness_error_max": Metric(_most(error), per, "largest stiffness error"),
         "stiffness_error_rms": Metric(_rms(error), per, "root mean square stiffness error"),
         "stiffness_error_late": Metric(_most(error[late]), per, "largest stiffness error later", _SETTLED),
-        **found,
-        "stiffness_variation_time": Metric(settling.value, "s", "stiffness-variation time", note),
+        **step_metrics(time, wanted, stiffness, per, "stiffness"),
+        **variation_metrics(variations, load_unit),
     }
 
 

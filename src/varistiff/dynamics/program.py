@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import math
+import os
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -191,7 +194,7 @@ def run_one(case: Case, *, duration: float, substeps: int) -> Course:
 
 
 def run_many(cases: list[Case], *, duration: float, substeps: int) -> Course:
-    """The same for cases that differ in numbers only; arrays of shape (case, samples).
+    """The same for cases that differ in numbers only, on every core; arrays of shape (case, samples).
 
     Raises
     ------
@@ -202,9 +205,28 @@ def run_many(cases: list[Case], *, duration: float, substeps: int) -> Course:
     for case, (_, other) in zip(cases, parts, strict=True):
         if other != static or switch_names(case.plant, case.inputs, duration) != names:
             raise ValueError("the cases of a batch may differ in numbers only, not in parts, modes or switchings")
-    numbers = jax.tree.map(lambda *leaves: np.stack(leaves), *(own for own, _ in parts))
     fixed = 1 if substeps == 1 else None
-    return _compiled(static, samples_of(cases[0].period, duration), fixed, names, True)(numbers, np.asarray(substeps))
+    compiled = _compiled(static, samples_of(cases[0].period, duration), fixed, names, True)
+    own = [numbers for numbers, _ in parts]
+    size = math.ceil(len(own) / min(len(own), _cores()))
+    own += own[-1:] * (-len(own) % size)  # groups of one size share one compilation
+    groups = [_stacked(own[at : at + size]) for at in range(0, len(own), size)]
+
+    def course(numbers: Case) -> Course:
+        return jax.block_until_ready(compiled(numbers, np.asarray(substeps)))
+
+    with ThreadPoolExecutor(len(groups)) as pool:  # XLA lets go of the interpreter while it computes
+        courses = list(pool.map(course, groups))
+    return jax.tree.map(lambda *leaves: jnp.concatenate(leaves)[: len(cases)], *courses)
+
+
+def _stacked(numbers: list[Case]) -> Case:
+    return jax.tree.map(lambda *leaves: np.stack(leaves), *numbers)
+
+
+def _cores() -> int:
+    """Cores that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def samples_of(period: float, duration: float) -> int:
