@@ -55,7 +55,7 @@ test: $(TOOLS)
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 	$(BIN)/sphinx-build -W --keep-going -q -b html docs docs/_build/html
-	$(BIN)/pytest -n auto --maxprocesses 4
+	$(BIN)/pytest -n auto --maxprocesses 4 --dist loadfile
 
 docs: $(TOOLS)
 	$(BIN)/sphinx-build -W --keep-going -q -b html docs docs/_build/html

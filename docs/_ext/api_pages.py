@@ -16,6 +16,7 @@ ROOMS = (
     "dynamics",
     "design",
     "fe",
+    "papers",
     "report",
 )
 

@@ -9,12 +9,16 @@ from typing import Any
 
 import api_pages
 import design_reference
+import paper_tables
 import scenario_reference
+import section_4_tables
 import torsion_tables
 
 from varistiff.core.citations import citations
 from varistiff.core.status import Status
 from varistiff.materials.table import PROPERTIES, builtin_materials
+from varistiff.papers.registry import PAPERS
+from varistiff.papers.wang_2024.table_3 import table_3_markdown
 
 
 def statuses() -> str:
@@ -71,6 +75,18 @@ PAGES: dict[str, Callable[[], str]] = {
     "torsion_table_one": torsion_tables.table_one,
     "torsion_common_modulus": torsion_tables.common_modulus,
     "torsion_stress_ratios": torsion_tables.stress_ratios,
+    "papers_overview": paper_tables.overview,
+    "paper_wang_2024_table_3": table_3_markdown,
+    "wang_section_4_facts": section_4_tables.facts,
+    "wang_section_4_sets": section_4_tables.sets,
+    "wang_section_4_motors": section_4_tables.motors,
+    "wang_section_4_chains": section_4_tables.chains,
+    "wang_section_4_sensing": section_4_tables.sensing,
+    "papers_verdicts": paper_tables.verdicts,
+    **{f"paper_{key}_scoreboard": partial(paper_tables.scoreboard, key) for key in PAPERS},
+    **{f"paper_{key}_equations": partial(paper_tables.equations, key) for key in PAPERS},
+    **{f"paper_{key}_figures": partial(paper_tables.figures, key) for key in PAPERS},
+    **{f"paper_{key}_reading": partial(paper_tables.reading, key) for key in PAPERS},
     **{f"api_{room}": partial(api_pages.render, room) for room in api_pages.ROOMS},
 }
 

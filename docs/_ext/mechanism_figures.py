@@ -7,6 +7,8 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import paper_tables
+
 DEVICES = ("roller_beam", "torsion_tube", "antagonistic_leaves", "slider_leaf_joint", "maccepa")
 COMPUTED = (
     "torsion_radius",
@@ -29,6 +31,7 @@ def draw_all(app: Any) -> None:
     for name in (*DEVICES, *COMPUTED):
         figure = importlib.import_module(name).draw()
         figure.savefig(generated / f"{name}.svg", metadata={"Date": None})
+    paper_tables.draw_figures(app)
 
 
 def setup(app: Any) -> dict[str, Any]:

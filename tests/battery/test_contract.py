@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
+import jax.numpy as jnp
 import numpy as np
 import pytest
 
+import varistiff
 from varistiff.core.status import Status
 
 from .catalogue import CATALOGUE, Case
@@ -52,3 +56,16 @@ def test_numbers_and_statuses(case: Case) -> None:
     if case.setting is not None:
         scale = float(np.max(np.abs(found["adjusting_load"][there])))
         np.testing.assert_allclose(across[there], found["adjusting_load"][there], rtol=0, atol=1e-11 * scale)
+
+
+@pytest.mark.parametrize(
+    "path", sorted((Path(__file__).parents[2] / "examples").glob("*.yaml")), ids=lambda path: path.stem
+)
+def test_plain_floats_give_what_arrays_give(path: Path) -> None:
+    """A script passes Python's own floats, whose comparisons are Python's own truths."""
+    design = varistiff.load(path)
+    deflection, setting = 0.3 * design.deflection_range[1], float(np.mean(design.setting_range or (0.0,)))
+    plain, _ = design.actuator.respond(deflection, setting)
+    arrays, _ = design.actuator.respond(jnp.asarray(deflection), jnp.asarray(setting))
+    assert int(plain.status) == Status.OK
+    np.testing.assert_array_equal([float(each) for each in plain], [float(each) for each in arrays])

@@ -105,7 +105,7 @@ class SliderLeafJoint(Actuator):
         state = self._solve(deflection, usable)
         stress = self.leaf.bending_stress(state.curvature)
         status = first_status(
-            no_solution=~reached | ~state.exists,
+            no_solution=jnp.logical_not(reached) | ~state.exists,
             element_too_short=state.arc_length > self.leaf.length,
             no_contact=jnp.zeros_like(reached),
             outside_validity=~state.valid,

@@ -118,10 +118,12 @@ class TorsionTube(Actuator):
         stress = jnp.where(bounded, jnp.abs(torque) / jnp.where(bounded, self.torsion_modulus, 1.0), unbounded)
         never = jnp.zeros_like(stress, dtype=bool)
         status = first_status(
-            no_solution=~exists | never,
+            no_solution=jnp.logical_not(exists) | never,
             element_too_short=(setting > self.length) | never,
             no_contact=never,
-            outside_validity=never if self.end_effect is None else ~self.end_effect.covers(setting) | never,
+            outside_validity=never
+            if self.end_effect is None
+            else jnp.logical_not(self.end_effect.covers(setting)) | never,
             yielded=bounded & (stress > self.strength),
         )
         numbers = (

@@ -16,6 +16,17 @@ SIGN_CONVENTION = (
 )
 
 
+def package_versions(packages: Sequence[str]) -> list[str]:
+    """Name and version of varistiff and of the packages given, in that order."""
+    versions = []
+    for package in ("varistiff", *packages):
+        try:
+            versions.append(f"{package} {version(package)}")
+        except PackageNotFoundError:
+            versions.append(f"{package} (not installed as a package)")
+    return versions
+
+
 def provenance(actuator: Actuator, *, packages: Sequence[str] = ("jax", "numpy", "xarray")) -> dict[str, Any]:
     """Kind, signs, versions, papers and strength, as attributes of a dataset.
 
@@ -24,12 +35,7 @@ def provenance(actuator: Actuator, *, packages: Sequence[str] = ("jax", "numpy",
     packages : whose versions matter to the numbers, beside varistiff's own
     """
     strength = actuator.strength
-    versions = []
-    for package in ("varistiff", *packages):
-        try:
-            versions.append(f"{package} {version(package)}")
-        except PackageNotFoundError:
-            versions.append(f"{package} (not installed as a package)")
+    versions = package_versions(packages)
     return {
         "Conventions": "CF-1.11",
         "kind": actuator.kind,

@@ -8,6 +8,7 @@ from typing import Annotated
 
 import typer
 
+from varistiff.cli.reproduction import Format
 from varistiff.core.errors import InputError
 
 app = typer.Typer(
@@ -173,6 +174,27 @@ def simulate(
     warn(loaded.design)
     directory = output if output is not None else f"{Path(scenario).stem}_simulation"
     status = report_simulation(loaded, directory)
+    if status:
+        raise typer.Exit(status)
+
+
+@app.command()
+def reproduce(
+    paper: Annotated[
+        str | None, typer.Argument(metavar="[PAPER]", help="Key of one paper. [default: all]", show_default=False)
+    ] = None,
+    shape: Annotated[
+        Format, typer.Option("--format", "-f", help="What standard output gets.", case_sensitive=False)
+    ] = Format.TABLE,
+    output: Annotated[
+        str | None,
+        typer.Option("--output", "-o", metavar="DIR", help="Directory for page, data, figures and designs."),
+    ] = None,
+) -> None:
+    """Hold every number that the papers print against ours."""
+    from varistiff.cli.reproduction import report_board
+
+    status = report_board(paper, shape=shape, directory=output)
     if status:
         raise typer.Exit(status)
 

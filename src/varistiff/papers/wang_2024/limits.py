@@ -1,0 +1,96 @@
+"""What bounds the joint: leaf rotation, deflection, torque, and how good the small-deflection theory is there."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.optimize import brentq
+
+from varistiff.papers.wang_2024 import paper_values as paper
+from varistiff.papers.wang_2024.device import Numbers, answer, deflections, effective_lengths, joint
+
+_HALF_DEGREE = float(np.radians(0.5))  # "about 9 degrees" is printed to a degree
+
+
+def deflection_at_rotation(rotation: float, *, length: float) -> float:
+    """Deflection phi [rad] at which the leaf turns by ``rotation`` [rad] at the slider (Eqs. 1 and 2)."""
+    printed = joint()
+    return float(
+        brentq(
+            lambda phi: float(answer(printed, deflection=phi, length=length).rotation) - rotation, 0.0, 0.5, xtol=1e-12
+        )
+    )
+
+
+def limited_deflections(rotation: float = paper.ROTATION_DESIGN, *, count: int = 7) -> tuple[Numbers, Numbers]:
+    """Lengths of the effective range [m], and the deflections that a leaf rotation allows there [rad]."""
+    lengths = effective_lengths(count)
+    return lengths, np.array([deflection_at_rotation(rotation, length=float(length)) for length in lengths])
+
+
+def deflection_range() -> tuple[float, float]:
+    """Deflection [rad] at 25 mm for a leaf rotation of about 9 degrees: 8.5 to 9.5."""
+    low, high = (
+        deflection_at_rotation(paper.ROTATION_DESIGN + side * _HALF_DEGREE, length=paper.LENGTH_MAX)
+        for side in (-1.0, 1.0)
+    )
+    return low, high
+
+
+def deflection_range_grows_with_length() -> float:
+    """Least growth of the deflection that 9 degrees of rotation allow, between neighbouring lengths [rad]."""
+    _, allowed = limited_deflections()
+    return float(np.diff(allowed).min())
+
+
+def largest_rotation() -> float:
+    """Largest leaf rotation [rad] at the printed limit of deflection over the effective range (Eq. 2)."""
+    return float(answer(joint(), deflection=paper.DEFLECTION_LIMIT, length=effective_lengths()).rotation.max())
+
+
+def largest_torque(*, count: int = paper.COUNT) -> tuple[float, float]:
+    """Largest torque [N m] of the printed joint over the effective range (Eq. 7).
+
+    From where the leaf rotation of 9 degrees limits the deflection at every length, to where only the printed 3.03
+    degrees do.
+    """
+    lengths, allowed = limited_deflections()
+    by_rotation = answer(joint(count=count), deflection=allowed, length=lengths).torque.max()
+    by_stop = answer(joint(count=count), deflection=paper.DEFLECTION_LIMIT, length=lengths).torque.max()
+    return float(by_rotation), float(by_stop)
+
+
+def torque_grows_with_count(*, count: int) -> float:
+    """1e-9 less the relative error of torque(N) = N torque(1) over the effective range."""
+    phi, lengths = deflections()[1:, None], effective_lengths()
+    many = answer(joint(count=count), deflection=phi, length=lengths).torque
+    one = answer(joint(count=1), deflection=phi, length=lengths).torque
+    return float(1e-9 - np.abs(many / one / count - 1.0).max())
+
+
+def assumption_holds(*, largest: float) -> float:
+    """``largest`` less the relative torque error of the small-deflection theory at 10 degrees of leaf rotation."""
+    lengths, allowed = limited_deflections(paper.ROTATION_ASSUMED)
+    published = answer(joint(), deflection=allowed, length=lengths).torque
+    exact = answer(joint(exact=True), deflection=allowed, length=lengths).torque
+    return float(largest - np.abs(published / exact - 1.0).max())
+
+
+def load_is_perceived(*, largest: float) -> float:
+    """``largest`` less the error of K(l_1) phi as a measure of the load, at 9 degrees of leaf rotation, exact leaf."""
+    lengths, allowed = limited_deflections()
+    perceived = answer(joint(), deflection=0.0, length=lengths).stiffness * allowed
+    exact = answer(joint(exact=True), deflection=allowed, length=lengths).torque
+    return float(largest - np.abs(perceived / exact - 1.0).max())
+
+
+def root_stress(*, length: float, rotation: float = paper.ROTATION_DESIGN) -> float:
+    """Bending stress at the clamp [Pa] at a length [m] where the leaf turns by ``rotation`` [rad]; not in the paper."""
+    phi = deflection_at_rotation(rotation, length=length)
+    return float(answer(joint(), deflection=phi, length=length).stress)
+
+
+def stress_when_short() -> float:
+    """Root stress at the printed limit of deflection and 6 mm over that at 25 mm, less 1."""
+    ends = np.array([paper.LENGTH_MIN, paper.LENGTH_MAX])
+    short, long = answer(joint(), deflection=paper.DEFLECTION_LIMIT, length=ends).stress
+    return float(short / long - 1.0)

@@ -1,0 +1,1 @@
+"""Our figures of what the papers computed, one module a paper."""

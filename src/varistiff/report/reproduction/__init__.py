@@ -1,0 +1,1 @@
+"""The scoreboard of the papers as table, files and page."""
