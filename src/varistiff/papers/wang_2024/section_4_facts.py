@@ -24,7 +24,6 @@ from varistiff.papers.wang_2024.section_4_runs import (
     setting_facts,
     setting_runs,
 )
-from varistiff.papers.wang_2024.section_4_search import QUESTS, misses
 
 FIRST_PRINTED = math.radians(11.0)  # without load
 LATER_PRINTED = math.radians(6.0), math.radians(4.0)  # without and with load, in the printed order
@@ -81,12 +80,6 @@ def load_slows_margin(*, name: str) -> float:
         facts.large_overshoot_by_load / facts.large_overshoot,
         facts.large_settling_by_load / facts.large_settling,
     )
-
-
-def one_set_margin() -> float:
-    """1 less the largest miss of the set ``steps_and_sine``, in steps of the search: above zero it meets every fact."""
-    off = misses(position_runs()["steps_and_sine"].facts, QUESTS["steps_and_sine"].aims)
-    return 1.0 - max(abs(steps) for steps in off.values())
 
 
 def lever_speed_margin() -> float:
