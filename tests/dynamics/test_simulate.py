@@ -9,17 +9,17 @@ import equinox as eqx
 import numpy as np
 import pytest
 
-from varistiff.actuators import RollerBeam, SeriesElastic, SwivellingPair
+from varistiff.actuators import Maccepa, RollerBeam, SeriesElastic, SwivellingPair
 from varistiff.core.errors import InputError
-from varistiff.dynamics.control.pid import Pid
-from varistiff.dynamics.control.position_pid import PositionPid
+from varistiff.dynamics.control import MapChain, Pid, PositionPid, StiffnessPid, setting_inverse
 from varistiff.dynamics.control_loop import Channel, ControlLoop, Inputs
 from varistiff.dynamics.drives import Motor, TorqueSource
 from varistiff.dynamics.friction import Friction
 from varistiff.dynamics.outcome import Outcome
+from varistiff.dynamics.path import Affine
 from varistiff.dynamics.plant import Gravity, Member, Plant
 from varistiff.dynamics.program import Case
-from varistiff.dynamics.signals import Constant, Step
+from varistiff.dynamics.signals import Constant, Step, Sum
 from varistiff.dynamics.simulate import simulate
 from varistiff.dynamics.stop import Stop
 from varistiff.dynamics.storage import Supercapacitor
@@ -58,6 +58,27 @@ def test_saturation_is_an_event():
     run = simulate(_servo(limit=2.0, target=0.5), duration=1.0)
     assert run.outcome is Outcome.DONE
     assert "drive saturated" in {event.name for event in run.events}
+
+
+def test_a_stiffness_that_no_setting_gives_is_an_event():
+    maccepa = Maccepa(spring_rate=394.0, lever_length=0.036, anchor_distance=0.135)
+    chain = MapChain(setting_inverse(maccepa, setting_min=0.005, setting_max=0.025))
+    plant = Plant(
+        maccepa,
+        link=Member(0.01, Friction(0.01)),
+        setting=Member(0.5, Friction(20.0)),
+        setting_path=Affine(),
+        setting_motor=TorqueSource(),
+    )
+    loop = ControlLoop(setting=Channel(StiffnessPid(Pid(500.0), chain)))
+    stiffness = Sum((Constant(0.3), Step(0.05, 0.0, 0.3)))
+    start = REST._replace(motion=0.010)
+    run = simulate(Case(plant, loop, Inputs(stiffness=stiffness), start, 1e-3), duration=0.1)
+    (event,) = [event for event in run.events if event.name == "stiffness out of reach"]
+    assert event.time == pytest.approx(0.05, abs=1e-12)  # the sample of the step
+    # k P B C/(C - B) at 25 mm
+    assert f"{394.0 * 0.025 * 0.036 * 0.135 / 0.099:.4g}" in event.text
+    assert "0.6" in event.text
 
 
 def test_a_stop_is_named_with_its_located_instant():

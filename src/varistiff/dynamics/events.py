@@ -8,22 +8,29 @@ from typing import Any
 import numpy as np
 
 from varistiff.core.status import Status
+from varistiff.dynamics.control import StiffnessPid
 from varistiff.dynamics.outcome import Event
 from varistiff.dynamics.plant import Plant
 from varistiff.dynamics.program import Case, Row
 from varistiff.dynamics.stop import Stop
 
+_HAIR = 1e-9  # rounding of a reference that goes to the end of the range
 _MOST = 20  # of one name; a chattering contact has thousands
 
 
 def events_of(case: Case, rows: Row) -> tuple[Event, ...]:
-    """Stops reached, backlash crossed, contact lost, saturation, overheating, empty storage and statuses of the map."""
+    """What a reader has to know of a run, in the order of time.
+
+    Stops reached, contact lost, saturation, overheating, empty storage, statuses of the map, and a wanted stiffness
+    that no setting gives.
+    """
     found = [
         *_stops(case.plant, rows),
         *_contact(case.plant, rows),
         *_drives(case.plant, rows),
         *_storage(rows),
         *_statuses(rows),
+        *_wanted_stiffness(case, rows),
     ]
     return tuple(sorted(_thinned(found), key=lambda event: event.time))
 
@@ -103,3 +110,15 @@ def _statuses(rows: Row) -> Iterator[Event]:
     for which in (Status.OUTSIDE_VALIDITY, Status.YIELDED):
         for index in _begins(status == which):
             yield Event(float(rows.time[index]), which.label, which.meaning)
+
+
+def _wanted_stiffness(case: Case, rows: Row) -> Iterator[Event]:
+    channel = case.loop.setting
+    if channel is None or not isinstance(channel.controller, StiffnessPid):
+        return
+    least, most = map(float, channel.controller.chain.reach())
+    wanted = np.asarray(rows.wanted_stiffness)
+    beyond = (wanted < least * (1.0 - _HAIR)) | (wanted > most * (1.0 + _HAIR))
+    for index in _begins(beyond):
+        text = f"The wanted stiffness is {wanted[index]:.4g}, the settings give {least:.4g} to {most:.4g}."
+        yield Event(float(rows.time[index]), "stiffness out of reach", text)

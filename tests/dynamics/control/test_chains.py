@@ -208,6 +208,15 @@ def test_map_chain_of_a_maccepa(at: Any) -> None:
     found = float(motion_of(jnp.asarray(stiffness), jnp.asarray(phi)))
     expected = (pretension - 0.001) / lead if at == "measured" else (stiffness / arm - 0.001) / lead
     assert found == pytest.approx(expected, rel=1e-11)
+    # K at rest is linear in P
+    assert [float(end) for end in chain.reach()] == pytest.approx([arm * 0.005, arm * 0.025], rel=1e-13)
+
+
+@pytest.mark.parametrize("make", [wang_chain, exact_chain])
+def test_reach_is_equation_9_at_the_ends(make: Any, wang_joint: SliderLeafJoint) -> None:
+    least, most = make(wang_joint, **RANGE).reach()
+    assert float(least) == pytest.approx(206.0, rel=1e-13)  # N E b h^3 l_2^2/(4 l_1^3) at 25 mm
+    assert float(most) == pytest.approx(BENDING * 0.031**2 / 0.006**3, rel=1e-13)
 
 
 def test_motion_of_setting_inverts_the_paths(wang_joint: SliderLeafJoint) -> None:
@@ -247,6 +256,9 @@ class Echo(StiffnessChain):
 
     def stiffness(self, motion: Any, deflection: Any) -> Any:
         return motion
+
+    def reach(self) -> Any:
+        return 0.0, 1.0
 
 
 @pytest.mark.parametrize("driven, deflection", [(True, 0.2), (False, 0.3)])

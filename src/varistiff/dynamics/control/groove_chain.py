@@ -48,6 +48,10 @@ class ExactChain(StiffnessChain):
         del deflection
         return _rest_stiffness(self.joint, _groove(self.joint).active_length(as_scalar(motion)))
 
+    def reach(self) -> tuple[Scalar, Scalar]:
+        """See ``StiffnessChain.reach``."""
+        return _reach(self)
+
 
 class WangChain(StiffnessChain):
     """Wang's chain as published: stiffness command to Eq. (9) at rest, to l_1, to the disc angle a = (l_1 - q)/p.
@@ -81,6 +85,10 @@ class WangChain(StiffnessChain):
         """Stiffness at rest [N m/rad] that the line tells at a disc angle [rad]."""
         del deflection
         return _rest_stiffness(self.joint, self.line.slope * as_scalar(motion) + self.line.intercept)
+
+    def reach(self) -> tuple[Scalar, Scalar]:
+        """See ``StiffnessChain.reach``."""
+        return _reach(self)
 
     def length_error(self, motion: Number) -> Scalar:
         """Length by the line minus length in the groove [m] at a disc angle [rad]: q at A, p a_1 + q - l_1 at C."""
@@ -136,12 +144,17 @@ def _rest_stiffness(joint: SliderLeafJoint, length: Scalar) -> Scalar:
     return 3.0 * joint.count * joint.leaf.flexural_rigidity * (joint.clamp_radius + length) ** 2 / length**3
 
 
+def _reach(chain: ExactChain | WangChain) -> tuple[Scalar, Scalar]:
+    """Stiffness at rest of the longest and of the shortest active length used."""
+    return _rest_stiffness(chain.joint, chain.used.length_max), _rest_stiffness(chain.joint, chain.used.length_min)
+
+
 def _commanded_length(chain: ExactChain | WangChain, stiffness: Number) -> Scalar:
     """l_1 of a command, held in the used range."""
     joint = chain.joint
     length_min, length_max = chain.used.length_min, chain.used.length_max
+    softest, stiffest = _reach(chain)
     # the command is held first: a stiffness of 0 or below has no length
-    softest, stiffest = _rest_stiffness(joint, length_max), _rest_stiffness(joint, length_min)
     length = active_length_from_stiffness(
         jnp.clip(as_scalar(stiffness), softest, stiffest),
         bending=3.0 * joint.count * joint.leaf.flexural_rigidity,

@@ -5,7 +5,9 @@ from __future__ import annotations
 from typing import Literal
 
 import equinox as eqx
+import numpy as np
 
+from varistiff.characteristic.evaluate import evaluate
 from varistiff.dynamics.control.checks import check_choice
 from varistiff.dynamics.control.controller import Number, Scalar, as_scalar
 from varistiff.dynamics.control.motion_of_setting import motion_of_setting
@@ -42,3 +44,9 @@ class MapChain(StiffnessChain):
         """See ``StiffnessChain.stiffness``."""
         setting = self.path.at(as_scalar(motion)).value
         return self.inverse.actuator.respond(self._deflection(deflection), setting)[0].stiffness
+
+    def reach(self) -> tuple[Scalar, Scalar]:
+        """See ``StiffnessChain.reach``."""
+        ends = np.asarray([self.inverse.setting_min, self.inverse.setting_max], dtype=float)
+        ends = evaluate(self.inverse.actuator, 0.0, ends).stiffness
+        return as_scalar(ends.min()), as_scalar(ends.max())

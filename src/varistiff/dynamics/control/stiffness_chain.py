@@ -22,3 +22,7 @@ class StiffnessChain(eqx.Module):
     @abstractmethod
     def stiffness(self, motion: Number, deflection: Number) -> Scalar:
         """Stiffness [N m/rad or N/m] that the controller believes in at a coordinate [rad or m]."""
+
+    @abstractmethod
+    def reach(self) -> tuple[Scalar, Scalar]:
+        """Least and largest stiffness at rest [N m/rad or N/m] of the used range."""
