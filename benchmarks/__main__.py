@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import platform
 import re
 from pathlib import Path
@@ -22,18 +23,17 @@ def _machine() -> str:
 
 
 def main() -> None:
-    cold = cold_start.table()  # before pinning: users' commands are not pinned
+    free = {"cold_start": cold_start.table(), "simulation": simulation.table()}  # a batch uses every core
     pin_to_one_core()
     tables = {
         "roller_contact": roller_contact.table(),
         "maps": maps.table(),
         "sections": sections.table(),
-        "simulation": simulation.table(),
-        "cold_start": cold,
+        **free,
     }
     text = PAGE.read_text(encoding="utf-8")
     for name, rows in tables.items():
-        place = "Whole processes, not pinned" if name == "cold_start" else "One pinned core"
+        place = f"Not pinned, {os.cpu_count()} cores" if name in free else "One pinned core"
         block = "\n".join([f"{place}: {_machine()}.", "", *rows])
         print(f"\n{name}\n{block}")
         pattern = re.compile(rf"(<!-- {name} -->\n).*?(<!-- end -->)", re.S)

@@ -11,9 +11,6 @@ import paper_tables
 
 DEVICES = ("roller_beam", "torsion_tube", "antagonistic_leaves", "slider_leaf_joint", "maccepa")
 COMPUTED = (
-    "torsion_radius",
-    "torsion_lengths",
-    "torsion_stress",
     "torsion_fillet",
     "joint_resonance",
     "joint_bode",

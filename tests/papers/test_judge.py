@@ -52,6 +52,8 @@ def claim(**fields: Any) -> Claim:
         ({"relation": "within", "published": ["6", "25"]}, 5.4, Verdict.UNEXPECTED),
         ({"relation": "holds", "published": "higher above 0.04 m"}, 0.1, Verdict.REPRODUCED),
         ({"relation": "holds", "published": "higher above 0.04 m"}, -0.1, Verdict.UNEXPECTED),
+        ({**OPEN, "relation": "holds", "published": "a", "agrees": True}, (-0.1, 0.1), Verdict.UNDERDETERMINED),
+        ({**CONTRADICTED, "relation": "holds", "published": "a"}, (-0.1, 0.1), Verdict.UNEXPECTED),  # a reading is true
         ({"tolerance": {"relative": 0.1, "reason": "about"}}, 78.0, Verdict.REPRODUCED),
         ({"tolerance": {"absolute": 0.1, "reason": "about"}}, 71.7, Verdict.UNEXPECTED),
         ({}, float("nan"), Verdict.UNEXPECTED),

@@ -6,6 +6,8 @@ import equinox as eqx
 import jax.numpy as jnp
 from jaxtyping import Array, Float
 
+from varistiff.elastic.lemniscate import circular
+
 Field = Float[Array, "..."]
 
 
@@ -29,8 +31,8 @@ class Groove(eqx.Module):
 
     Notes
     -----
-    Wang et al. (2024), Eqs. (13)-(15), doi 10.3390/app14072685. In the printed (14) l_2 stands for r_1 and the sign
-    of e_2's product with r_2 is reversed; derived anew from the three circle conditions.
+    Wang et al. (2024), Eqs. (13)-(15), doi 10.3390/app14072685. In the printed (14) l_2 stands for r_1; derived
+    anew from the three circle conditions.
     """
 
     inner_radius: float
@@ -57,8 +59,9 @@ class Groove(eqx.Module):
     def _terms(self, angle: Field) -> tuple[Field, Field, Field]:
         """e_3, its derivative, and the signed root."""
         x, y = self.centre_position
-        e_3 = x * jnp.sin(angle) + y * jnp.cos(angle)
-        rate = x * jnp.cos(angle) - y * jnp.sin(angle)
+        sine, cosine = circular(angle)  # one polynomial pair: a time loop asks often
+        e_3 = x * sine + y * cosine
+        rate = x * cosine - y * sine
         branch = jnp.where(self.inner_radius >= y, 1.0, -1.0)  # at A: e_3 = y_o and l_2 = r_2
         square = e_3**2 - (x**2 + y**2 - self.arc_radius**2)
         return e_3, rate, branch * jnp.sqrt(jnp.maximum(square, 0.0))

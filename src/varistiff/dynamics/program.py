@@ -19,12 +19,14 @@ from varistiff.dynamics.control_loop import ControlLoop, Inputs
 from varistiff.dynamics.drives import Temperatures
 from varistiff.dynamics.equations import Flows, Outside, flows, losses_of, rates
 from varistiff.dynamics.ledger import INFLOWS, Ledger, Stores
+from varistiff.dynamics.packing import Layout, Numbers, pack
 from varistiff.dynamics.plant import Plant
 from varistiff.dynamics.state import Command, Motion, State
 from varistiff.dynamics.stepper import located_step, runge_kutta, signs_of
 from varistiff.dynamics.switching import switch_names, switch_values
 
 Scalar = Float[Array, ""]
+_ABREAST = 16  # runs of a batch that go side by side: two to four vectors of the processor
 
 
 class Case(eqx.Module):
@@ -153,44 +155,38 @@ def run(case: Case, samples: int, substeps: int | Scalar, names: tuple[str, ...]
 
 @cache
 def _compiled(
-    static: Case, samples: int, substeps: int | None, names: tuple[str, ...], many: bool
-) -> Callable[[Case, Any], Course]:
+    layout: Layout[Case], samples: int, substeps: int | None, names: tuple[str, ...], many: bool
+) -> Callable[[Numbers, Any], Course]:
     """Compiled run; one compilation serves every number of substeps but 1, which is faster by itself."""
 
-    def one(numbers: Case, parts: Any) -> Course:
-        return run(eqx.combine(numbers, static), samples, parts if substeps is None else substeps, names)
+    def one(numbers: Numbers, parts: Any) -> Course:
+        return run(layout.tree(numbers), samples, parts if substeps is None else substeps, names)
 
-    def each(numbers: Case, parts: Any) -> Course:
-        # one run after the other: a scalar loop in a loop is four times faster on a CPU than a loop over vectors
-        return jax.lax.map(lambda own: one(own, parts), numbers)
+    def each(numbers: Numbers, parts: Any) -> Course:
+        # a few runs side by side fill the processor's vectors; where instants are searched for they would wait for
+        # each other
+        return jax.lax.map(lambda own: one(own, parts), numbers, batch_size=None if names else _ABREAST)
 
     return jax.jit(each if many else one)
 
 
 @cache
-def _observed(static: Case) -> Callable[[Case, Course], Row]:
-    return jax.jit(lambda numbers, course: jax.vmap(lambda one: observe(eqx.combine(numbers, static), one))(course))
+def _observed(layout: Layout[Case]) -> Callable[[Numbers, Course], Row]:
+    return jax.jit(lambda numbers, course: jax.vmap(lambda one: observe(layout.tree(numbers), one))(course))
 
 
 def rows_of(case: Case, course: Course) -> Row:
     """Everything that follows from a course of shape (samples,), at all its instants at once."""
-    numbers, static = split(case)
-    return _observed(static)(numbers, course)
-
-
-def split(case: Case) -> tuple[Case, Case]:
-    """Numbers of a case as arrays, and the rest, which decides what is compiled."""
-    arrays = jax.tree.map(lambda leaf: np.asarray(leaf) if isinstance(leaf, float) else leaf, case)
-    numbers, static = eqx.partition(arrays, eqx.is_array)
-    return numbers, static
+    numbers, layout = pack(case)
+    return _observed(layout)(numbers, course)
 
 
 def run_one(case: Case, *, duration: float, substeps: int) -> Course:
     """Compiled run; arrays of shape (samples,) with an instant at both ends of ``duration``."""
-    numbers, static = split(case)
+    numbers, layout = pack(case)
     names = switch_names(case.plant, case.inputs, duration)
     fixed = 1 if substeps == 1 else None
-    return _compiled(static, samples_of(case.period, duration), fixed, names, False)(numbers, np.asarray(substeps))
+    return _compiled(layout, samples_of(case.period, duration), fixed, names, False)(numbers, np.asarray(substeps))
 
 
 def run_many(cases: list[Case], *, duration: float, substeps: int) -> Course:
@@ -200,28 +196,26 @@ def run_many(cases: list[Case], *, duration: float, substeps: int) -> Course:
     ------
     ValueError : the cases differ in more than numbers
     """
-    parts = [split(case) for case in cases]
-    static, names = parts[0][1], switch_names(cases[0].plant, cases[0].inputs, duration)
-    for case, (_, other) in zip(cases, parts, strict=True):
-        if other != static or switch_names(case.plant, case.inputs, duration) != names:
-            raise ValueError("the cases of a batch may differ in numbers only, not in parts, modes or switchings")
+    first, layout = pack(cases[0])
+    names = switch_names(cases[0].plant, cases[0].inputs, duration)
+    if any(switch_names(case.plant, case.inputs, duration) != names for case in cases):
+        raise ValueError("the cases of a batch may differ in numbers only, not in switchings")
     fixed = 1 if substeps == 1 else None
-    compiled = _compiled(static, samples_of(cases[0].period, duration), fixed, names, True)
-    own = [numbers for numbers, _ in parts]
+    compiled = _compiled(layout, samples_of(cases[0].period, duration), fixed, names, True)
+    own = [first, *(layout.numbers(case) for case in cases[1:])]
     size = math.ceil(len(own) / min(len(own), _cores()))
     own += own[-1:] * (-len(own) % size)  # groups of one size share one compilation
-    groups = [_stacked(own[at : at + size]) for at in range(0, len(own), size)]
+    groups = [jax.tree.map(lambda *leaves: np.stack(leaves), *own[at : at + size]) for at in range(0, len(own), size)]
 
-    def course(numbers: Case) -> Course:
-        return jax.block_until_ready(compiled(numbers, np.asarray(substeps)))
+    def course(numbers: Numbers) -> Course:
+        return jax.tree.map(np.asarray, compiled(numbers, np.asarray(substeps)))
 
-    with ThreadPoolExecutor(len(groups)) as pool:  # XLA lets go of the interpreter while it computes
+    with ThreadPoolExecutor(len(groups)) as pool:  # XLA and NumPy let go of the interpreter while they work
         courses = list(pool.map(course, groups))
-    return jax.tree.map(lambda *leaves: jnp.concatenate(leaves)[: len(cases)], *courses)
-
-
-def _stacked(numbers: list[Case]) -> Case:
-    return jax.tree.map(lambda *leaves: np.stack(leaves), *numbers)
+        joined = pool.map(
+            lambda leaves: np.concatenate(leaves)[: len(cases)], zip(*map(jax.tree.leaves, courses), strict=True)
+        )
+        return jax.tree.unflatten(jax.tree.structure(courses[0]), list(joined))
 
 
 def _cores() -> int:

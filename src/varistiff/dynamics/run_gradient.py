@@ -8,10 +8,11 @@ from typing import Any
 
 import equinox as eqx
 import jax
+import numpy as np
 from jaxtyping import Array, Float
 
 from varistiff.core.errors import InputError
-from varistiff.dynamics.program import Case, Course, run, samples_of, split
+from varistiff.dynamics.program import Case, Course, run, samples_of
 from varistiff.dynamics.switching import switch_names
 
 Scalar = Float[Array, ""]
@@ -47,7 +48,8 @@ def run_gradient(case: Case, cost: Cost, *, duration: float, substeps: int = 1) 
             f"has switchings ({', '.join(names)}); allowed is a plant without stops, backlash and lost contact",
             field="plant",
         )
-    numbers, static = split(case)
+    arrays = jax.tree.map(lambda leaf: np.asarray(leaf) if isinstance(leaf, float) else leaf, case)
+    numbers, static = eqx.partition(arrays, eqx.is_array)
     value, gradient = _gradient(static, cost, samples_of(case.period, duration), substeps)(numbers)
     return float(value), eqx.combine(gradient, static)
 

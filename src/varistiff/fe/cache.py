@@ -10,6 +10,8 @@ import os
 import zlib
 from collections.abc import Mapping
 from contextlib import suppress
+from functools import cache
+from importlib import resources
 from pathlib import Path
 from typing import Any
 
@@ -24,19 +26,30 @@ _BROKEN = (OSError, ValueError, KeyError, TypeError, zlib.error, binascii.Error,
 
 
 def cache_key(*parts: object) -> str:
-    """Name of an entry: a hash of numbers, texts, None and arrays in order, with the versions that computed it."""
+    """Name of an entry: a hash of numbers, texts, None and arrays in order, and of the code that computed it."""
     from importlib.metadata import PackageNotFoundError, version
 
     found = hashlib.sha256()
     for name in ("varistiff", "ngsolve"):
         with suppress(PackageNotFoundError):
             found.update(f"{name} {version(name)}\n".encode())
+    found.update(_sources())
     for part in parts:
         if isinstance(part, np.ndarray):
             found.update(f"{part.dtype} {part.shape} ".encode() + part.tobytes() + b"\n")
         else:
             found.update(f"{part!r}\n".encode())
     return found.hexdigest()
+
+
+@cache
+def _sources() -> bytes:
+    """Hash of this room's modules: an entry of other code is another entry."""
+    found = hashlib.sha256()
+    for module in sorted(resources.files("varistiff.fe").iterdir(), key=lambda entry: entry.name):
+        if module.name.endswith(".py"):
+            found.update(module.read_bytes())
+    return found.digest()
 
 
 def cache_directory() -> Path | None:

@@ -7,7 +7,6 @@ from typing import Any
 from varistiff.fe.cache import cache_key, read_entry, write_entry
 from varistiff.fe.leaf_problem import LeafProblem, LeafResult
 
-_REVISION = 1  # of the method: raised with every change that alters results
 _NUMBERS = (
     "load",
     "stiffness",
@@ -27,7 +26,7 @@ _ARRAYS = ("arc", "across", "points", "stress_upper", "stress_lower")
 
 def leaf_key(problem: LeafProblem, *, tolerance: float) -> str:
     """Name of a problem's entry."""
-    return cache_key("leaf", _REVISION, tolerance, problem)
+    return cache_key("leaf", tolerance, problem)
 
 
 def recall(problem: LeafProblem, *, tolerance: float) -> LeafResult | None:

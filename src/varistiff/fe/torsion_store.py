@@ -17,8 +17,6 @@ from varistiff.fe.torsion_problem import (
     TorsionResult,
 )
 
-_REVISION = 2  # of the method: raised with every change that alters results
-
 
 def torsion_key(problem: TorsionProblem, *, tolerance: float, whole: bool) -> str:
     """Name of a problem's entry: from the points of the outline, so every section has one."""
@@ -29,9 +27,7 @@ def torsion_key(problem: TorsionProblem, *, tolerance: float, whole: bool) -> st
     rails = [getattr(problem.section, name, None) for name in ("shape", "rails", "rail_width")]
     numbers = [problem.shear_modulus, problem.poissons_ratio, problem.length, problem.active_length,
                problem.bearing_length, problem.bearing_clearance, float(problem.section.torsion_modulus)]  # fmt: skip
-    return cache_key(
-        "torsion", _REVISION, tolerance, whole, outline.rotations, outline.mirror, lengths, rails, numbers, *points
-    )
+    return cache_key("torsion", tolerance, whole, outline.rotations, outline.mirror, lengths, rails, numbers, *points)
 
 
 def recall(problem: TorsionProblem, *, tolerance: float, whole: bool) -> TorsionResult | None:

@@ -33,7 +33,7 @@ PRINTED = {
     "aspect_ratio_soft": "ASPECT_RATIO_SOFT",
     "aspect_ratio_stiff": "ASPECT_RATIO_STIFF",
     "protecting_radius": "PROTECTING_RADIUS",
-    "variation_of_prototype": "STIFFNESS_VARIATION",
+    "variation_of_device": "STIFFNESS_VARIATION",
 }
 
 

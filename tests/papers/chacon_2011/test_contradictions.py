@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from varistiff.papers.chacon_2011 import protection, shapes, stiffness
+from varistiff.core.status import Status
+from varistiff.papers.chacon_2011 import devices, shapes, stiffness
 
 from .quadrature import (
     derivative,
@@ -87,7 +88,8 @@ def test_energy_is_convex_at_a_given_length() -> None:
 def test_model_bends_the_leaf_tighter_than_the_cylinders() -> None:
     tightest = HEIGHT / guided_end_curvature(2.0)
     assert tightest < RADIUS - 0.002
-    assert protection.model_radius() == pytest.approx(tightest, rel=1e-10)
+    ours = shapes.end_curvature(devices.states("guided", 0.0, devices.aspect_ratios()))
+    assert 1.0 / float(np.max(ours)) == pytest.approx(tightest, rel=1e-10)
     touch = brentq(lambda ratio: HEIGHT / guided_end_curvature(ratio) - RADIUS, 2.0, 3.5)
     assert touch == pytest.approx(2.11, abs=0.005)  # before the printed 2.0 is reached
 
@@ -104,9 +106,18 @@ def test_no_elastic_state_of_the_model_is_sixteen_times_as_stiff() -> None:
     assert bound < 7.6
     at_rest = second_derivative(2.0) / second_derivative(3.5) - 1.0
     assert at_rest < 9.5
-    elastic, rest = stiffness.variation_of_model()
-    assert rest == pytest.approx(at_rest, rel=1e-6)
-    assert elastic == pytest.approx(bound, rel=1e-4)  # step of the fine grid
+    assert stiffness.variation(theory="guided") == pytest.approx(at_rest, rel=1e-6)
+    assert stiffness.elastic_variation(theory="guided") == pytest.approx(bound, rel=1e-4)  # step of the fine grid
+
+
+def test_leaves_on_the_cylinders_pass_the_printed_variation() -> None:
+    # every number as printed, no leaf yields; the displacement is the reader's
+    soft, _ = stiffness.rest_stiffness(theory="wrapped")
+    before, after = devices.states("wrapped", [0.0070, 0.0072], 2.0).stiffness / soft - 1.0
+    assert before < 15.0 < after
+    assert set(devices.states("wrapped", [0.0070, 0.01], 2.0).counts()) == {Status.OK}
+    low, high = stiffness.variation_over_readings()
+    assert low < 15.0 < after < high
 
 
 def test_linear_theory_is_far_off() -> None:

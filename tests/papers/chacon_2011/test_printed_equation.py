@@ -64,7 +64,7 @@ def test_printed_energy_by_another_quadrature() -> None:
 
     for ratio in (3.5, 2.0):
         assert printed_equation.printed_energy(ratio) == pytest.approx(energy(ratio), rel=1e-8)
-    assert 16.0 < printed_equation.printed_variation() < 18.0  # no reading of "1500 %" either
+    assert 16.0 < printed_equation.printed_variation() < 18.0
 
 
 def test_printed_shape_is_another_one() -> None:

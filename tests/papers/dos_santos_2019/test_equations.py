@@ -35,14 +35,17 @@ def march(slope: float, force: float, ratio: float, *, length: float = 1.0) -> n
 
 
 @pytest.mark.parametrize("slope", SLOPES)
-def test_clamp_condition_belongs_at_the_clamp(slope):
-    # as printed, theta = theta' = 0 at s = L: every force leaves a slope at the clamp, and no load is left in (3)
+def test_conditions_stand_at_two_ends(slope):
+    # theta = theta' = 0 at the contact: every force leaves a slope at the clamp, and no load is left in (3)
     force = load_parameter(slope) ** 2 / 2.0
     theta_at_clamp, _, _ = march(0.0, force, 0.0)
     assert abs(theta_at_clamp) > 0.3 * force
     assert printed_integral(0.0) == 0.0
-    # theta = 0 at s = 0 is what the force of that slope gives
-    assert march(slope, force, math.tan(slope))[0] == pytest.approx(0.0, abs=1e-8)  # the marching's own error
+    # theta = theta' = 0 at the clamp: the force has a moment there, more than the mean one, E I slope over L = 1
+    turned, along, across = march(slope, force, math.tan(slope))
+    assert force * (along + math.tan(slope) * across) > slope
+    # one condition at each end is what the force of that slope meets
+    assert turned == pytest.approx(0.0, abs=1e-8)  # the marching's own error
 
 
 @pytest.mark.parametrize("slope", SLOPES)
@@ -59,13 +62,15 @@ def test_printed_factor_halves_the_force(slope):
 
 
 @pytest.mark.parametrize("slope", SLOPES)
-def test_printed_factors_shorten_the_beam(slope):
+def test_printed_place_needs_the_printed_integral(slope):
     alpha = load_parameter(slope)
     _, along, across = march(slope, alpha**2 / 2.0, math.tan(slope))
     for weight, right in (("cos", along), ("sin", across)):
-        printed = printed_integral(slope, weight) / (math.sqrt(2.0) * alpha)
-        assert printed / right == pytest.approx(math.sqrt(0.5), rel=1e-7)  # the marching's own error
-    # a straight beam would be 0.707 of its length long
+        over = printed_integral(slope, weight) / math.sqrt(2.0)
+        # the marching's own error, twice
+        assert over / printed_load_parameter(slope) == pytest.approx(right, rel=1e-7)
+        assert over / alpha == pytest.approx(math.sqrt(0.5) * right, rel=1e-7)
+    # with the definition of alpha_0 a straight beam would be 0.707 of its length long
     assert printed_integral(1e-4, "cos") / (math.sqrt(2.0) * load_parameter(1e-4)) == pytest.approx(0.7071, abs=1e-4)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -25,6 +26,21 @@ def test_thrust_at_small_angles_is_half_the_angle():
 
 def test_idle_roller_keeps_twice_the_play():
     assert mechanism.one_roller_at_a_time() == pytest.approx(2e-4, rel=1e-6)
+
+
+def test_a_roller_that_overlaps_is_seen(monkeypatch):
+    # with the contact a clearance above the pivot, and not below, the idle roller touches
+    whole = mechanism.joint
+    monkeypatch.setattr(mechanism, "joint", lambda *, clearance: whole(clearance=-clearance))
+    assert mechanism.one_roller_at_a_time() < 1e-9  # 0 without the rounding of a drawn line
+
+
+def test_beam_stands_out_by_its_tail():
+    line = mechanism.joint().element_shapes(math.radians(18.0), 0.43)[0]
+    tail = mechanism.leaf("spring_steel").length - 0.43
+    # it leaves link 2 at half the joint angle; corrections are quadratic in 0.3, and the arc is longer than x_r
+    assert mechanism.beam_beside_link() + 0.05 == pytest.approx(tail * math.sin(math.radians(9.0)), rel=0.05)
+    assert np.hypot(*np.diff(line, axis=0).T).sum() == pytest.approx(tail + 0.43, rel=1e-6)  # chords of a polyline
 
 
 def test_printed_frames_are_the_devices():
@@ -51,6 +67,7 @@ def test_yield_of_a_short_rotation_is_linear():
 def test_a_turned_sign_of_the_device_is_seen(monkeypatch):
     whole = mechanism.evaluate
     for name, seen in (
+        ("stiffness", (mechanism.moment_and_thrust,)),
         ("load", (mechanism.moment_balance, mechanism.moment_and_thrust, mechanism.stored_energy_returns)),
         ("adjusting_load", (mechanism.moment_and_thrust, mechanism.stored_energy_returns, mechanism.release_by_thrust)),
     ):

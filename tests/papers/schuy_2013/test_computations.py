@@ -39,7 +39,7 @@ def test_utilisation_of_the_solid_circle() -> None:
     assert stress_pattern.utilisation(section="circle") == pytest.approx(0.5, rel=1e-12)  # closed form
 
 
-@pytest.mark.parametrize("reach", stress_pattern.CORNER_REACH)
+@pytest.mark.parametrize("reach", [0.9, stress_pattern.CORNER_REACH])
 def test_edge_share_of_the_square_by_its_series(reach: float) -> None:
     """Timoshenko and Goodier, Theory of Elasticity, art. 109: Prandtl's function of the rectangle as a series."""
     a = 0.5 * 0.0141  # half the side

@@ -17,6 +17,7 @@ CONSTANTS = {
     "length_least": paper.LENGTH_MIN,
     "table_radius": paper.TABLE_RADIUS,
     "rails": paper.RAILS,
+    "gear_ratio": paper.GEAR_RATIO,
     "prototype_radius": paper.OUTER_RADIUS,
     "prototype_ratio": paper.RADIUS_RATIO,
     "element_length": paper.ELEMENT_LENGTH,

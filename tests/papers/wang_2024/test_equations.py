@@ -77,7 +77,7 @@ def test_torque_is_not_the_work_of_the_printed_displacement() -> None:
 
     work = float(jax.grad(energy)(jnp.asarray(paper.DEFLECTION_LIMIT)))
     torque = float(answer(joint(), deflection=paper.DEFLECTION_LIMIT, length=LENGTH).torque)
-    assert 0.002 < work / torque - 1.0 < 0.006  # 1/cos^4(phi) less 1: small, and not zero
+    assert 0.002 < work / torque - 1.0 < 0.006  # 1/cos^3(phi) less 1: small, and not zero
     assert work / torque == pytest.approx(math.cos(paper.DEFLECTION_LIMIT) ** -3, rel=1e-9)
 
 
@@ -118,7 +118,7 @@ def test_linear_spring_and_resistance_make_energy_from_nothing() -> None:
 
     # out at the short length, lengthen at the deflection (Eq. 12 is the energy's derivative), back, shorten at rest
     printed = linear_work(short) + (energy(long) - energy(short)) - linear_work(long)
-    assert abs(printed) > 1e-4 * energy(short)
+    assert abs(printed) == pytest.approx(1.8e-4 * energy(short), rel=0.05)  # 0.02 % of what is stored
     # with the derivative of the energy as torque the loop closes
     torque_work = []
     nodes, weights = np.polynomial.legendre.leggauss(12)

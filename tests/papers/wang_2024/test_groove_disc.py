@@ -23,21 +23,38 @@ def test_47_degrees_reach_29_millimetres_in_every_groove(radius: float) -> None:
 
 
 def test_no_circle_through_a_and_c_is_a_spiral() -> None:
-    # dl_2/d(alpha) of a spiral is constant. By brute force: the distance of each arc from the best straight line
+    # dl_2/d(alpha) of a spiral is constant. By brute force: the distance of each arc from the closest straight line
     angles = np.linspace(0.0, math.radians(47.0), 401)
     coarse = np.geomspace(1.002 * groove_disc.half_chord(), 10.0, 60)
     best = math.inf
     for centre, radii in (("near", np.append(coarse, np.linspace(0.034, 0.040, 61))), ("far", coarse)):
         for radius in radii:
             lengths = np.asarray(groove(float(radius), centre=centre).active_length(jnp.asarray(angles)))
-            error = lengths - np.polyval(np.polyfit(angles, lengths, 1), angles)
-            best = min(best, float(np.abs(error).max()))
-    assert best > 3e-4  # m: fifteen times what a cutter holds
-    assert groove_disc.spiral_error() == pytest.approx(best, rel=0.02)  # radii 0.1 mm apart
+            slopes = np.polyfit(angles, lengths, 1)[0] * np.linspace(0.9, 1.1, 401)
+            best = min(best, float(0.5 * np.ptp(lengths - slopes[:, None] * angles, axis=1).min()))
+    assert best > 2e-4  # m: ten times what a cutter holds
+    assert groove_disc.spiral_error() == pytest.approx(best, rel=0.02)  # radii 0.1 mm and slopes 0.05 % apart
 
 
 def test_the_far_centre_is_far_worse() -> None:
-    assert groove_disc.straightest("far")[1] > 10.0 * groove_disc.straightest("near")[1]
+    # a circle of the largest radius is nearly the straight slot from A to C, the best that the far centre has
+    angles = jnp.linspace(0.0, paper.OUTER_ANGLE, 101)
+    small, large = (
+        groove_disc.from_spiral(np.asarray(groove(radius, centre="far").active_length(angles)))
+        for radius in (0.1, groove_disc.LARGEST_RADIUS)
+    )
+    assert small > large > 10.0 * groove_disc.spiral_error()
+
+
+def test_the_closest_spiral_is_closer_than_the_least_squares_one() -> None:
+    radius = groove_disc.arc_radius()
+    assert groove_disc.spiral_distance(radius) < float(groove_disc.whole_groove_error(radius, "near"))
+
+
+def test_closest_spiral_of_a_parabola_by_hand() -> None:
+    # the closest line to a^2 on an interval of the width 2 h leaves h^2/2
+    angles = np.linspace(0.0, paper.OUTER_ANGLE, 101)
+    assert groove_disc.from_spiral(angles**2) == pytest.approx(0.125 * paper.OUTER_ANGLE**2, rel=1e-4)  # search
 
 
 def test_the_straightest_radius_is_a_minimum() -> None:

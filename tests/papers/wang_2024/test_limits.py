@@ -27,6 +27,7 @@ def test_nine_degrees_make_three_at_the_long_end() -> None:
     low, high = limits.deflection_range()
     assert math.degrees(deflection_by_hand(math.radians(9.0), 0.025)) == pytest.approx(3.00, abs=0.005)
     assert low < math.radians(3.03) < high
+    assert math.degrees(deflection_by_hand(math.radians(9.1), 0.025)) == pytest.approx(3.03, abs=0.005)
 
 
 def test_one_stop_cannot_limit_the_rotation_at_all_lengths() -> None:
@@ -36,7 +37,9 @@ def test_one_stop_cannot_limit_the_rotation_at_all_lengths() -> None:
     assert rotation == pytest.approx(by_hand, rel=1e-12)  # rounding
     assert (np.diff(rotation) < 0.0).all()
     assert rotation[0] > 2.0 * 10.0
-    assert math.degrees(limits.largest_rotation()) == pytest.approx(by_hand[0], rel=1e-12)
+    assert np.degrees(limits.largest_rotation()) == pytest.approx([by_hand[-1], by_hand[0]], rel=1e-12)
+    # a stop that follows the length keeps the rotation of the long end
+    assert by_hand[-1] < 10.0
     # the exact leaf does no better
     exact = answer(joint(exact=True), deflection=math.radians(3.03), length=0.006)
     assert math.degrees(float(exact.rotation)) > 2.0 * 10.0
@@ -68,7 +71,8 @@ def test_small_deflection_errs_upward_and_more_when_short() -> None:
     error = published / exact - 1.0
     assert (error > 0.01).all()
     assert error[0] > error[-1]
-    assert limits.assumption_holds(largest=0.0) < -error.max()  # 10 degrees err more than 9
+    stiffness, torque = limits.assumption_holds(largest=0.0)
+    assert stiffness < torque < -error.max()  # 10 degrees err more than 9, and the slope more than the torque
 
 
 def test_stress_at_one_deflection_grows_as_the_leaf_is_shortened() -> None:

@@ -26,8 +26,8 @@ class StraightLine(NamedTuple):
 def straight_line(groove: Groove, angle_min: Number, angle_max: Number) -> StraightLine:
     """Least squares line l_1 = p a + q over the disc angles from ``angle_min`` to ``angle_max`` [rad].
 
-    The paper calls p and q "the circular arc parameters of the adjustment disk" and prints neither values nor how
-    they were found; the mean square of the error in l_1, uniform over the angle, is minimised here.
+    The paper prints neither p and q nor how they were found; the mean square of the error in l_1, uniform over the
+    angle, is minimised here.
 
     Raises
     ------

@@ -7,6 +7,7 @@ import math
 import jax.numpy as jnp
 
 from varistiff.dynamics.signals.signal import Field, Sample, Signal
+from varistiff.elastic.lemniscate import circular
 
 
 class Sine(Signal):
@@ -28,9 +29,11 @@ class Sine(Signal):
     def at(self, time: Field) -> Sample:
         """See ``Signal.at``."""
         pulsation = 2.0 * math.pi * self.frequency
-        angle = pulsation * time + self.phase
-        swing = self.amplitude * jnp.sin(angle)
-        rate = pulsation * self.amplitude * jnp.cos(angle)
+        turns = self.frequency * time
+        # whole turns off first: the angle stays moderate, and exact, however late it is
+        sine, cosine = circular(2.0 * math.pi * (turns - jnp.floor(turns)) + self.phase)
+        swing = self.amplitude * sine
+        rate = pulsation * self.amplitude * cosine
         return Sample(self.offset + swing, rate, -(pulsation**2) * swing)
 
     @property

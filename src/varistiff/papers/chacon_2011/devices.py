@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from varistiff.actuators.antagonistic_leaves import AntagonisticLeaves
+from varistiff.actuators.antagonistic_leaves import AntagonisticLeaves, aspect_ratio
 from varistiff.characteristic.evaluate import Points, evaluate
 from varistiff.elastic.guided_leaf import GuidedLeaf
 from varistiff.elastic.leaf import Leaf
@@ -54,19 +54,24 @@ def device(leaves: LeafLaw) -> AntagonisticLeaves:
     return AntagonisticLeaves(leaf=leaf(), law=leaves, roller_distance=ROLLER_DISTANCE, clamp_height=CLAMP_HEIGHT)
 
 
-def nut_distance(aspect_ratio: ArrayLike) -> np.ndarray:
+def nut_distance(ratio: ArrayLike) -> np.ndarray:
     """Nut distance delta [m] of an aspect ratio at rest: Eq. (4) solved for it.
+
+    The aspect ratio is linear in the nut distance, so two points of the device's own function fix it.
 
     >>> round(float(nut_distance(3.5)), 6)
     0.0615
     """
-    return ROLLER_DISTANCE - 2.0 * CLAMP_HEIGHT * np.asarray(aspect_ratio, float)
+    zero, one = (
+        aspect_ratio(setting, roller_distance=ROLLER_DISTANCE, clamp_height=CLAMP_HEIGHT) for setting in (0.0, 1.0)
+    )
+    return (np.asarray(ratio, float) - zero) / (one - zero)
 
 
-def states(leaves: LeafLaw | Theory, deflection: ArrayLike, aspect_ratio: ArrayLike) -> Points:
+def states(leaves: LeafLaw | Theory, deflection: ArrayLike, ratio: ArrayLike) -> Points:
     """Response of the prototype at displacements d [m] and aspect ratios of its leaves at rest."""
     chosen = law(leaves) if isinstance(leaves, str) else leaves
-    return evaluate(device(chosen), deflection, nut_distance(aspect_ratio))
+    return evaluate(device(chosen), deflection, nut_distance(ratio))
 
 
 def aspect_ratios(count: int = 61) -> np.ndarray:

@@ -81,7 +81,7 @@ def displacement_margin() -> float:
 
 
 def scaling_margin() -> float:
-    """Margin of "scalable to very high and very low loads" [-].
+    """Margin of "the spring can be scaled to loads of any size" [-].
 
     Rounding minus the largest relative change of stiffness over stiffness at rest, when the leaves' width goes from a
     thousandth to thousandfold: loads follow the flexural rigidity, the shape of the curves does not change.

@@ -8,7 +8,6 @@ from varistiff.actuators.antagonistic_leaves import protecting_radius
 from varistiff.core.status import Status
 from varistiff.papers.chacon_2011.devices import aspect_ratios, leaf, states
 from varistiff.papers.chacon_2011.paper_values import CLAMP_HEIGHT
-from varistiff.papers.chacon_2011.shapes import end_curvature
 
 
 def radius() -> float:
@@ -24,13 +23,3 @@ def largest_stress() -> float:
     displacement = np.linspace(0.0, CLAMP_HEIGHT, 41)
     found = states("wrapped", displacement[:, None], aspect_ratios(31))
     return float(np.max(found.stress[found.status != Status.NO_SOLUTION]))
-
-
-def model_radius() -> float:
-    """Smallest radius of curvature [m] that the paper's model, which has no cylinders, takes in its range."""
-    return 1.0 / float(np.max(end_curvature(states("guided", 0.0, aspect_ratios()))))
-
-
-def reach_margin() -> float:
-    """Margin of "the prototype can show the model's range" [m]: model's smallest radius - protecting radius."""
-    return model_radius() - radius()

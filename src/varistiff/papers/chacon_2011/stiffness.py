@@ -11,6 +11,8 @@ from varistiff.core.status import Status
 from varistiff.papers.chacon_2011.devices import Theory, aspect_ratios, ends, states
 from varistiff.papers.chacon_2011.paper_values import ASPECT_RATIO_SOFT, ASPECT_RATIO_STIFF, CLAMP_HEIGHT
 
+_FIRST = np.array([1.0, -8.0, 0.0, 8.0, -1.0]) / 12.0  # first derivative, fourth order
+
 
 def rest_stiffness(*, theory: Theory) -> tuple[float, float]:
     """Tangent stiffness at rest [N/m] at the softest and the stiffest aspect ratio of the prototype."""
@@ -48,9 +50,46 @@ def _elastic_stiffness(theory: Theory, displacement: ArrayLike, ratios: np.ndarr
     return np.where(found.status == Status.OK, found.stiffness, np.nan)
 
 
-def variation_of_model() -> tuple[float, float]:
-    """Variation by the paper's model [-]: of elastic states at any displacement; at rest, yielded ones included."""
-    return elastic_variation(theory="guided"), variation(theory="guided")
+def variation_over_readings() -> tuple[float, float]:
+    """Increase of the stiffness over the lowest one [-], in two readings of a range that is not printed.
+
+    By the paper's model over its elastic states; and of exact leaves on the printed cylinders, which do not yield, at a
+    displacement of 10 mm and the stiffest aspect ratio, over rest at the softest one.
+    """
+    soft, _ = rest_stiffness(theory="wrapped")
+    bent = states("wrapped", 0.01, ASPECT_RATIO_STIFF)
+    return elastic_variation(theory="guided"), float(bent.stiffness) / soft - 1.0
+
+
+def range_margin() -> float:
+    """Margin of "the prototype can show the model's range" [N/m]: its smaller overlap over the model's, at both ends.
+
+    The prototype has exact leaves on cylinders; both at rest.
+    """
+    (low, high), (soft, stiff) = (rest_stiffness(theory=one) for one in ("guided", "wrapped"))
+    return min(low - soft, stiff - high)
+
+
+def derivatives_margin() -> float:
+    """Margin of "force and stiffness are derivatives of the energy" [-]: 1e-5 minus the largest relative error.
+
+    Energy and force are differenced to fourth order. The force vanishes at rest, so its error counts against the
+    stiffness times a hundredth of a metre. The wrapped leaf lies on its cylinders in all states.
+    """
+    displacement, worst = np.array([0.0, 0.001, 0.002]), 0.0
+    cases: tuple[tuple[Theory, np.ndarray, float], ...] = (
+        ("guided", aspect_ratios(7), 1e-4),
+        ("sliding", aspect_ratios(7), 1e-4),
+        ("wrapped", np.array([1.85, 1.8]), 1e-5),
+    )
+    for theory, ratios, step in cases:
+        offsets = step * np.arange(-2, 3)[:, None, None]
+        found = states(theory, displacement[:, None] + offsets, ratios)
+        here = (found.load[2], found.stiffness[2])
+        load, rate = (np.tensordot(_FIRST, values, 1) / step for values in (found.energy, found.load))
+        worst = max(worst, float(np.max(np.abs(load - here[0]) / (0.01 * np.abs(here[1])))))
+        worst = max(worst, float(np.max(np.abs(rate / here[1] - 1.0))))
+    return 1e-5 - worst
 
 
 def force_at(*, theory: Theory, displacement: float) -> tuple[float, float]:

@@ -92,8 +92,8 @@ def least_slenderness() -> float:
 
 
 def thinness() -> float:
-    """Least width over thickness, less one; positive where every beam is thinner than wide."""
-    return min(leaf(beam).width / leaf(beam).thickness for beam in BEAMS) - 1.0
+    """Least width or active length over thickness, less four: a quarter is taken as much smaller."""
+    return min(least_slenderness(), *(leaf(beam).width / leaf(beam).thickness for beam in BEAMS)) - 4.0
 
 
 def number_of_materials() -> float:
@@ -120,6 +120,11 @@ def shear_share(beam: str, slenderness: float) -> float:
     return (
         0.25 * properties.youngs_modulus.value / (SHEAR_COEFFICIENT * properties.shear_modulus.value * slenderness**2)
     )
+
+
+def shear_neglected() -> float:
+    """One per cent, less the largest share of shear in the deflections of the experiment."""
+    return 0.01 - max(shear_share(beam, least_slenderness()) for beam in BEAMS)
 
 
 def shear_seen_by_experiment() -> float:

@@ -10,17 +10,14 @@ import math
 from dataclasses import replace
 from functools import cache
 
-import jax
+import jax.numpy as jnp
 import numpy as np
 from scipy.interpolate import RegularGridInterpolator
 
-from varistiff.actuators.actuator import Field
 from varistiff.actuators.roller_beam import RollerBeam
 from varistiff.actuators.rollers import SingleLower, SwivellingPair
 from varistiff.characteristic.evaluate import Points, evaluate
 from varistiff.dynamics.gait.knee import knee_gait
-from varistiff.elastic.beam_clearance import beam_clearance
-from varistiff.elastic.roller_contact import roller_contact
 from varistiff.papers.dos_santos_2019.beams import leaf, material
 from varistiff.papers.dos_santos_2019.elastica import printed_integral
 from varistiff.papers.dos_santos_2019.paper_values import ACTIVE_LENGTHS, BEAMS
@@ -71,6 +68,26 @@ def printed_contact(geometry: tuple[float, ...], slope: float) -> tuple[float, f
     )
 
 
+def frames_give_place() -> float:
+    """Margin of Eqs. (10) and (11): 1e-9 m, less their largest distance from the device's contact [m].
+
+    The contact is the device's roller centre and a radius along its normal, and the end of the bent part of its beam.
+    """
+    misses = []
+    for geometry in GEOMETRIES:
+        actuator, deflection, setting = _general(geometry)
+        slope = _number(evaluate(actuator, deflection, setting), "contact_slope")
+        centre = np.array(actuator.centre(*map(jnp.asarray, (deflection, setting, geometry[3]))))
+        r = geometry[4] + 0.5 * actuator.beam.thickness
+        printed = np.array(printed_contact(geometry, slope))
+        for place in (
+            centre + r * np.array([-math.sin(slope), math.cos(slope)]),
+            actuator.element_shapes(deflection, setting)[0][-2],  # the last point is the free end
+        ):
+            misses.append(float(np.abs(place - printed).max()))
+    return 1e-9 - max(misses)
+
+
 def ratio_of_slope_alone() -> float:
     """Margin of Eq. (12): b/a by Eqs. (10), (11) at the device's slope against the ratio of the two integrals."""
     misses = []
@@ -95,13 +112,15 @@ def length_from_either() -> float:
 
 
 def moment_and_thrust() -> float:
-    """Margin of M_b and F_b, which the paper announces: load and adjusting force against differences of the energy."""
+    """Margin of M_b, F_b and their stiffness, which the paper announces: against differences of energy and load."""
     misses = []
     for geometry in GEOMETRIES:
         actuator, deflection, setting = _general(geometry)
         points, step = evaluate(actuator, deflection, setting), 1e-5
         ends = [evaluate(actuator, deflection + s * step, setting).energy for s in (-1.0, 1.0)]
         misses.append(abs((ends[1] - ends[0]) / (2.0 * step) / points.load - 1.0))
+        loads = [evaluate(actuator, deflection + s * step, setting).load for s in (-1.0, 1.0)]
+        misses.append(abs((loads[1] - loads[0]) / (2.0 * step) / points.stiffness - 1.0))
         ends = [evaluate(actuator, deflection, setting + s * step).energy for s in (-1.0, 1.0)]
         misses.append(
             abs((ends[1] - ends[0]) / (2.0 * step) - points.adjusting_load) / _number(points, "contact_force")
@@ -110,7 +129,10 @@ def moment_and_thrust() -> float:
 
 
 def moment_balance() -> float:
-    """Margin of Eq. (13)'s left side: P (a + y_d + n (b + x_d)), about a joint at (-y_d, -x_d), against the load."""
+    """Margin of Eq. (13)'s left side: P (a + y_d + n (b + x_d)) against the load.
+
+    Figure 6 alone defines x_d and y_d. The joint is put at (-y_d, -x_d), where the equation holds.
+    """
     misses = []
     for geometry in GEOMETRIES:
         actuator, deflection, setting = _general(geometry)
@@ -186,24 +208,27 @@ def backdriven() -> float:
     return float(np.min(np.abs(points.adjusting_load) / points.details["contact_force"]))
 
 
-@jax.jit
-def _idle_gap(x: Field, y: Field, clearance: Field, middle: Field, rigidity: Field, length: Field) -> Field:
-    """Gap [m] between the beam's surface and the roller that does not bear, its pivot at (x, y)."""
-    state = roller_contact(x, y, -clearance, rigidity)
-    reach = x * state.cosine + y * state.sine
-    return beam_clearance(state, reach, 0.0 * x, middle + 2.0 * clearance, length) - middle
-
-
 def one_roller_at_a_time() -> float:
     """Least gap [m] between beam and idle roller, for pairs of 5 mm to 30 mm radius with 0.1 mm to 1 mm of play."""
-    element = leaf("spring_steel")
-    radii, plays = np.array([0.005, 0.03]), np.array([1e-4, 1e-3])
-    setting, angle, radius, play = np.meshgrid(SETTINGS, DEFLECTIONS, radii, plays)
-    middle = radius + 0.5 * element.thickness
-    same = np.ones_like(middle)
-    numbers = (setting * np.cos(angle), setting * np.sin(angle), play, middle)
-    gap = _idle_gap(*numbers, element.flexural_rigidity * same, element.length * same)
-    return float(gap.min())
+    gaps = []
+    for play in (1e-4, 1e-3):
+        device = joint(clearance=play)
+        for angle in DEFLECTIONS:
+            for setting in SETTINGS[[0, 4, 8]]:
+                slope = _number(evaluate(device, angle, setting), "contact_slope")
+                line = device.element_shapes(float(angle), float(setting))[0]
+                pivot = setting * np.array([math.cos(angle), math.sin(angle)])
+                gaps += [_idle_gap(line, pivot, slope, radius, play) for radius in (0.005, 0.03)]
+    return min(gaps)
+
+
+def _idle_gap(line: np.ndarray, pivot: np.ndarray, slope: float, radius: float, play: float) -> float:
+    """Distance [m] from the beam, drawn as ``line``, to the roller on the far side of a pair turned by ``slope``."""
+    middle = radius + 0.5 * leaf("spring_steel").thickness
+    start, step = line[:-1], np.diff(line, axis=0)
+    away = pivot + (middle + play) * np.array([-math.sin(slope), math.cos(slope)]) - start
+    part = np.clip((away * step).sum(axis=1) / (step**2).sum(axis=1), 0.0, 1.0)
+    return float(np.hypot(*(away - part[:, None] * step).T).min()) - middle
 
 
 def rotation_at_yield(beam: str, *, setting: float) -> float:
@@ -215,6 +240,13 @@ def rotation_at_yield(beam: str, *, setting: float) -> float:
         RollerBeam(beam=replace(leaf(beam), length=math.inf), rollers=SwivellingPair(0.0, 0.0)), angles, setting
     ).stress
     return float(np.interp(strength.value, stress, angles))
+
+
+def beam_beside_link() -> float:
+    """Largest distance of the spring-steel beam from link 2's axis at 18 degrees, roller at 0.43 m, less 50 mm [m]."""
+    angle = float(DEFLECTIONS[-1])
+    line = joint().element_shapes(angle, float(SETTINGS[0]))[0]
+    return float(np.abs(line @ np.array([-math.sin(angle), math.cos(angle)])).max()) - 0.05
 
 
 def knee_beyond_yield() -> float:

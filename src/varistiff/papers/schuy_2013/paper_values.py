@@ -23,6 +23,7 @@ HALF_DIGIT = 0.05e-3  # m, Table I rounds to 0.1 mm
 OUTER_RADIUS, RADIUS_RATIO = 0.011, 0.791  # m and 1, of the prototype without its rails, section III
 HALF_RATIO = 0.0005  # half a unit of the last digit of lambda
 RAILS = 6
+GEAR_RATIO = 80.0  # between motor and element, section III
 ELEMENT_LENGTH = 0.16  # m, l
 TESTED_LENGTHS = (0.011, 0.031, 0.051, 0.071, 0.091, 0.111, 0.131, 0.151, 0.166)  # m
 ANALYTIC_MIN = 53.13  # N m/rad, expected of the design at the longest tested length

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from scipy.optimize import brentq
+
 from varistiff.materials.table import builtin_materials
 from varistiff.papers.schuy_2013 import paper_values as paper
 from varistiff.papers.schuy_2013.device import length_of_stiffness, tube_of
@@ -40,7 +42,11 @@ def plastic(key: str) -> Plastic:
 
 def smallest_radius(*, torque: float, allowed: float) -> float:
     """Return the radius [m] of a solid cylinder that carries a torque [N m] at the allowed shear stress [Pa]."""
-    return float((torque / (Circle(radius=1.0).torsion_modulus * allowed)) ** (1.0 / 3.0))
+
+    def miss(radius: float) -> float:
+        return float(Circle(radius=radius).torsion_modulus) * allowed / torque - 1.0
+
+    return float(brentq(miss, 1e-4, 1.0, xtol=1e-16, rtol=1e-14))
 
 
 def active_length(*, radius: float, stiffness: float, shear_modulus: float) -> float:

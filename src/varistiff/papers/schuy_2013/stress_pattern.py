@@ -16,7 +16,7 @@ from varistiff.sections import Circle, Section, SplinedTube
 from varistiff.sections.saint_venant import SaintVenant, solve_torsion
 from varistiff.sections.stress_field import stress_field
 
-CORNER_REACH = (0.9, 0.99)  # of the way from the axis to a corner: how wide an "edge" is, assumed
+CORNER_REACH = 0.99  # of the way from the axis to a corner: how wide an "edge" is, assumed
 _NODES = 12  # Gauss points each way; the stress is smooth there
 Floats = NDArray[np.float64]
 
@@ -47,10 +47,9 @@ def edge_share(*, section: str, reach: float) -> float:
     return float(np.hypot(*near[0])) / largest
 
 
-def low_stressed_edges_margin() -> tuple[float, float]:
-    """Return one half minus the largest of the polygons' stress shares, over the assumed widths of an edge."""
-    low, high = (0.5 - max(edge_share(section=name, reach=reach) for name in KINDS) for reach in CORNER_REACH)
-    return low, high
+def low_stressed_edges_margin() -> float:
+    """Return one half minus the largest of the polygons' stress shares, at the assumed width of an edge."""
+    return 0.5 - max(edge_share(section=name, reach=CORNER_REACH) for name in KINDS)
 
 
 def utilisation(*, section: str) -> float:

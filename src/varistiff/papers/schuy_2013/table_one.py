@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from varistiff.papers.schuy_2013 import paper_values as paper
-from varistiff.papers.schuy_2013.device import bare_tube, length_of_stiffness, stiffness, tube_of
+from varistiff.papers.schuy_2013.device import bare_tube, length_of_stiffness, respond, stiffness, tube_of
 from varistiff.sections import Circle, Hexagon, Octagon, Section, Square
 
 KINDS: dict[str, type[Square] | type[Hexagon] | type[Octagon]] = {
@@ -152,16 +152,15 @@ def factors_transfer_margin() -> float:
 
 
 def oversizing_margin() -> float:
-    """Return 1e-9 minus the relative error of W when a polygon is scaled to the cylinder's stress at equal torque.
+    """Return 1 % minus the largest error of W of a polygon that is scaled to the cylinder's stress at equal torque.
 
-    It has to be larger by the cube root of its stress ratio.
+    It has to be larger by the cube root of its stress ratio, here as printed.
     """
     cylinder, worst = Circle(radius=paper.TABLE_RADIUS).torsion_modulus, 0.0
     for name, kind in KINDS.items():
-        ratio = cylinder / kind(across_flats=paper.ACROSS_FLATS[name]).torsion_modulus
-        scaled = kind(across_flats=paper.ACROSS_FLATS[name] * ratio ** (1.0 / 3.0))
+        scaled = kind(across_flats=paper.ACROSS_FLATS[name] * paper.STRESS_RATIOS[name] ** (1.0 / 3.0))
         worst = max(worst, abs(float(scaled.torsion_modulus / cylinder) - 1.0))
-    return 1e-9 - worst
+    return 0.01 - worst
 
 
 def _size(unit: Section, shear_modulus: float) -> float:
@@ -172,4 +171,5 @@ def _size(unit: Section, shear_modulus: float) -> float:
 def _ratio(modulus: float, *, hollow: bool) -> float:
     bore = paper.HOLLOW_RATIO if hollow else 0.0
     cylinder = bare_tube(shear_modulus=1e9, bore_ratio=bore, outer_radius=paper.TABLE_RADIUS)
-    return float(cylinder.torsion_modulus / modulus)
+    found = respond(cylinder, twist=1e-3, active_length=paper.LENGTH_MIN)
+    return float(found.load / found.stress) / modulus  # W of the cylinder over that of the polygon

@@ -6,7 +6,7 @@ import math
 
 from varistiff.papers.wang_2024 import paper_values as paper
 from varistiff.papers.wang_2024.stiffness import rest_stiffness
-from varistiff.papers.wang_2024.table_3 import OTHERS, load_table_3
+from varistiff.papers.wang_2024.table_3 import OTHERS, load_table_3, splits
 
 
 def bandwidth_is_large() -> tuple[float, float]:
@@ -23,33 +23,33 @@ def bandwidth_is_large() -> tuple[float, float]:
     return min(by_ratio, by_width), max(by_ratio, by_width)
 
 
-def _rank(row: str) -> int:
-    """How many of the other joints have a larger number in a row, less how many have a smaller one."""
+def _ranks(row: str) -> tuple[float, float]:
+    """How many of the other joints have a larger number in a row, less how many have a smaller one.
+
+    The least and the largest over every way to cut the row's digits into cells.
+    """
     cells = load_table_3().row(row)
     own = cells.number("proposed")
-    others = [cells.number(key) for key in OTHERS]
-    return sum(value > own for value in others) - sum(value < own for value in others)
+    cuts = [[float(cell) for cell in cut] for cut in splits(cells.run or "", len(OTHERS), cells.holds)]
+    ranks = [float(sum(value > own for value in cut) - sum(value < own for value in cut)) for cut in cuts]
+    return min(ranks), max(ranks)
 
 
 def regulation_is_fast() -> float:
-    """Joints of Table 3 that regulate more slowly than the proposed one, less those that are faster."""
-    return float(_rank("regulation_time"))
+    """Joints of Table 3 that regulate more slowly than the proposed one, less those that are faster; the worst cut."""
+    return _ranks("regulation_time")[0]
 
 
-def weight_is_large() -> float:
-    """Joints of Table 3 that are lighter than the proposed one, less those that are heavier."""
-    return float(-_rank("weight"))
+def weight_is_large() -> tuple[float, float]:
+    """Joints of Table 3 that are lighter than the proposed one, less those that are heavier; over all cuts."""
+    least, largest = _ranks("weight")
+    return 0.0 - largest, 0.0 - least
 
 
 def reconfigurable_without_disassembly() -> float:
     """1 minus the number of other joints in Table 3 that are reconfigured without disassembly."""
     row = load_table_3().row("reconfigurable")
     return 1.0 - sum(row.cells[key].printed == "yes" for key in OTHERS)
-
-
-def name_is_unique(*, name: str) -> float:
-    """1.5 minus the number of references that the paper's text gives a name to."""
-    return 1.5 - len(load_table_3().names[name])
 
 
 def half_of_one_turn() -> float:

@@ -7,6 +7,7 @@ straight line over the whole groove; p and q are the least squares line over the
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from functools import cache, partial
 from typing import NamedTuple
 
@@ -20,7 +21,7 @@ from varistiff.actuators import SliderLeafJoint
 from varistiff.dynamics.control import wang_chain
 from varistiff.dynamics.control.straight_line import straight_line
 from varistiff.papers.wang_2024 import paper_values as paper
-from varistiff.papers.wang_2024.device import answer, effective_lengths, groove, joint
+from varistiff.papers.wang_2024.device import Numbers, answer, effective_lengths, groove, joint
 
 LARGEST_RADIUS = 10.0  # m: straight to 4 micrometres between A and C
 
@@ -40,20 +41,20 @@ def whole_groove_error(radius: float, centre: str) -> Float[Array, ""]:
     return jnp.where(outward, straight_line(disc, 0.0, paper.OUTER_ANGLE).error, jnp.inf)
 
 
-@cache
-def straightest(centre: str) -> tuple[float, float]:
-    """Arc radius [m] of the groove closest to a straight line with this centre, and its largest error [m]."""
+def _best_radius(error: Callable[[float], float]) -> tuple[float, float]:
+    """Arc radius [m] with the least error, and that error [m]; by a coarse search and a fine one about its best."""
     radii = np.geomspace(1.001 * half_chord(), LARGEST_RADIUS, 40)
-    errors = np.array([float(whole_groove_error(float(radius), centre)) for radius in radii])
+    errors = np.array([error(float(radius)) for radius in radii])
     best = int(np.argmin(errors))
     low, high = radii[max(best - 1, 0)], radii[min(best + 1, radii.size - 1)]
-    found = minimize_scalar(
-        lambda radius: float(whole_groove_error(float(radius), centre)),
-        bounds=(low, high),
-        method="bounded",
-        options={"xatol": 1e-8},
-    )
+    found = minimize_scalar(error, bounds=(low, high), method="bounded", options={"xatol": 1e-8})
     return min((float(found.x), float(found.fun)), (float(radii[best]), float(errors[best])), key=lambda pair: pair[1])
+
+
+@cache
+def straightest(centre: str) -> tuple[float, float]:
+    """Arc radius [m] of the groove closest to its least squares line with this centre, and its largest error [m]."""
+    return _best_radius(lambda radius: float(whole_groove_error(radius, centre)))
 
 
 def arc_radius() -> float:
@@ -144,12 +145,42 @@ def line_serves_the_chain(*, largest: float) -> float:
     return largest - float(np.abs(_chain_errors(arc_radius(), jnp.asarray(commands))).max())
 
 
-def spiral_error() -> float:
-    """Least distance [m] of any circular groove through A and C from an Archimedean spiral over 47 degrees.
+_WHOLE = np.linspace(0.0, paper.OUTER_ANGLE, 101)  # rad
+_CENTRES = ("near", "far")
 
-    A spiral is l_2 = a + p alpha; of each circle the spiral nearest to it in the least squares sense is taken.
+
+@jax.jit
+def _both_grooves(radius: float) -> Float[Array, "2 101"]:
+    """Active lengths of the two circles of one radius, over the 47 degrees."""
+    return jnp.stack([groove(radius, centre=centre).active_length(jnp.asarray(_WHOLE)) for centre in _CENTRES])
+
+
+def from_spiral(lengths: Numbers) -> float:
+    """Largest distance [m] of active lengths, evenly over the 47 degrees, from the closest spiral l_2 = a + p alpha.
+
+    Infinite where they do not grow all the way.
     """
-    return min(straightest(centre)[1] for centre in ("near", "far"))
+    if not (np.diff(lengths) > 0.0).all():  # NaN is no
+        return math.inf
+    # for a slope p the best a halves what is left; that is convex in p
+    mean = float(np.ptp(lengths)) / paper.OUTER_ANGLE
+    found = minimize_scalar(
+        lambda slope: 0.5 * float(np.ptp(lengths - slope * _WHOLE)),
+        bounds=(0.0, 2.0 * mean),
+        method="bounded",
+        options={"xatol": 1e-5 * mean},
+    )
+    return float(found.fun)
+
+
+def spiral_distance(radius: float) -> float:
+    """Radial distance [m] of the closer of the two grooves with an arc radius [m] from its closest spiral."""
+    return min(from_spiral(lengths) for lengths in np.asarray(_both_grooves(radius)))
+
+
+def spiral_error() -> float:
+    """Least radial distance [m] of any circular groove through A and C from an Archimedean spiral over 47 degrees."""
+    return _best_radius(spiral_distance)[1]
 
 
 def is_a_spiral(*, within: float) -> float:

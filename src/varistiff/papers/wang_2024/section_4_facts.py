@@ -26,6 +26,7 @@ from varistiff.papers.wang_2024.section_4_runs import (
 )
 
 FIRST_PRINTED = math.radians(11.0)  # without load
+FIRST_PRINTED_LOADED = math.radians(13.0)
 LATER_PRINTED = math.radians(6.0), math.radians(4.0)  # without and with load, in the printed order
 ALMOST = 0.1  # what "almost the same" and "ignored" may leave, as a share
 
@@ -110,10 +111,14 @@ def spring_share_margin() -> float:
     return paper.DEFLECTION_LIMIT - 0.5 * FIRST_PRINTED
 
 
-def printed_order_margin() -> float:
-    """Later error with load minus that without, both as printed [rad]."""
-    free, loaded = LATER_PRINTED
-    return loaded - free
+def printed_order_margin() -> tuple[float, float]:
+    """Error with load minus that without, as printed [rad]: of the later errors, and of the first ones."""
+    return LATER_PRINTED[1] - LATER_PRINTED[0], FIRST_PRINTED_LOADED - FIRST_PRINTED
+
+
+def good_tracking_margin() -> float:
+    """A tenth of the amplitude less the printed later error without load [rad]."""
+    return 0.1 * paper.POSITION_AMPLITUDE - LATER_PRINTED[0]
 
 
 def later_error_by_load(*, name: str) -> float:

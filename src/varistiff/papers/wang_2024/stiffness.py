@@ -8,6 +8,8 @@ from varistiff.dynamics.control import active_length_from_stiffness
 from varistiff.papers.wang_2024 import paper_values as paper
 from varistiff.papers.wang_2024.device import Numbers, answer, deflections, effective_lengths, joint
 
+_HALF_MILLIMETRE = 0.0005  # m: "25 mm" is printed to a millimetre
+
 
 def rest_stiffness(length: float | Numbers, *, count: int = paper.COUNT) -> Numbers:
     """Stiffness at rest [N m/rad] of the printed joint at active lengths [m]."""
@@ -126,9 +128,10 @@ def length_of(stiffness: float) -> float:
     return float(active_length_from_stiffness(stiffness, bending=bending, clamp_radius=printed.clamp_radius))
 
 
-def level_in_effective_range() -> float:
-    """Longest effective length minus the length that 200 N m/rad need [m]."""
-    return paper.LENGTH_MAX - length_of(paper.TEST_STIFFNESS)
+def level_in_effective_range() -> tuple[float, float]:
+    """Longest effective length, all that rounds to the printed 25 mm, minus the length of 200 N m/rad [m]."""
+    left = paper.LENGTH_MAX - length_of(paper.TEST_STIFFNESS)
+    return left - _HALF_MILLIMETRE, left + _HALF_MILLIMETRE
 
 
 def sine_fits_range() -> float:

@@ -115,12 +115,11 @@ class Joint(BaseModel):
 
 
 class TableThree(BaseModel):
-    """The table; ``names`` lists the paper's reference numbers by the name that its text gives them."""
+    """The table: joints and rows."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, strict=True)
 
     joints: dict[str, Joint]
-    names: dict[str, list[int]]
     rows: list[Row]
 
     @model_validator(mode="after")

@@ -231,8 +231,9 @@ def figure_8() -> Drawing:
             axes.text(x, 1.02 * y, "printed: 1500 % above α = 3.5", color=VERMILION, ha="center", fontsize=10)
     caption = (
         "Left: stiffness over displacement by the paper's model; dashed where a leaf exceeds the printed yield stress."
-        " Right: stiffness at rest over that at α = 3.5. Dots: where it is 1500 % higher. Within the printed range"
-        " (shaded) linear beam theory alone gets there; leaves on cylinders, which do not yield, do at α = 1.905."
+        " Right: stiffness at rest over that at α = 3.5. Dots: where it is 1500 % higher. In the printed range"
+        " (shaded) and at rest, of the laws drawn, only linear beam theory gets there; leaves on cylinders, which do"
+        " not yield, do at α = 1.905."
     )
     return Drawing("figure_8", "Stiffness over displacement", figure, caption)
 

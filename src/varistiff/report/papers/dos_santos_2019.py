@@ -12,7 +12,7 @@ from matplotlib.lines import Line2D
 from varistiff.elastic.linear_cantilever import linear_cantilever
 from varistiff.elastic.roller_contact import centreline
 from varistiff.papers.dos_santos_2019.beams import leaf
-from varistiff.papers.dos_santos_2019.experiment import contact, linear_force
+from varistiff.papers.dos_santos_2019.experiment import contact, linear_forces
 from varistiff.papers.dos_santos_2019.paper_values import ACTIVE_LENGTHS, BEAMS, FORCES
 from varistiff.report.style import BLUE, GREEN, INK, ORANGE, SOFT, VERMILION, Drawing, ramp, styled
 
@@ -93,7 +93,7 @@ def _force(length: float, name: str) -> Drawing:
             )
             axes.plot(alpha, computed, marker=MARKERS[beam], markevery=6, markersize=5.5, label=NAMES[beam], **look)
             axes.plot(alpha, 0.5 * computed, linewidth=1.3, linestyle=(0, (4.0, 2.5)), **look)
-            linear = np.array([abs(linear_force(state, beam) - state.across_force) for state in states])
+            linear = np.array([abs(linear_forces(state, beam)["arc_normal"] - state.across_force) for state in states])
             below.plot(alpha, linear, marker=MARKERS[beam], markevery=6, markersize=4.5, linewidth=1.6, **look)
             below.plot(alpha[[0, -1]], [row.rms_error] * 2, linewidth=1.8, linestyle=(0, (1.0, 1.2)), **look)
         axes.set(xlim=(0.0, None), ylim=(0.0, 24.0), ylabel="Contact force P [N]", title=f"Active length {length:g} m")
@@ -106,8 +106,8 @@ def _force(length: float, name: str) -> Drawing:
     caption = (
         f"Above: P of the roller beam over the load parameter at {length:g} m, over the printed range of forces, with"
         " the printed error of each beam as a band; dashed, the force by Eqs. (3) and (15) as printed. Below: what"
-        " linear theory on the same arc length would change, and dotted the printed errors. The trials are not"
-        " published."
+        " linear theory on the same arc length, its force normal to the beam, would change, and dotted the printed"
+        " errors. The trials are not published."
     )
     return Drawing(name, f"Contact force over the load parameter, {length:g} m", figure, caption)
 

@@ -251,7 +251,7 @@ def figure_6() -> Drawing:
         _legend(figure, axes)
     caption = (
         "Stiffness at rest by Eq. (9). It grows without bound towards zero length, as printed; the printed lower end"
-        " takes a leaf of 0.35 mm. The tests run at 200 N m/rad, which the printed leaf reaches at 25.4 mm only."
+        " takes a leaf of 0.35 mm. The tests run at 200 N m/rad, which the printed leaf reaches at 25.4 mm."
     )
     return Drawing("figure_6", "Stiffness over active length (Figure 6)", figure, caption)
 
