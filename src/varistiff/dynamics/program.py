@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
@@ -26,7 +25,7 @@ from varistiff.dynamics.stepper import located_step, runge_kutta, signs_of
 from varistiff.dynamics.switching import switch_names, switch_values
 
 Scalar = Float[Array, ""]
-_ABREAST = 16  # runs of a batch that go side by side: two to four vectors of the processor
+_ABREAST = 16  # runs of a batch that go side by side: they fill the processor's vectors, and its cache holds them
 
 
 class Case(eqx.Module):
@@ -163,9 +162,9 @@ def _compiled(
         return run(layout.tree(numbers), samples, parts if substeps is None else substeps, names)
 
     def each(numbers: Numbers, parts: Any) -> Course:
-        # a few runs side by side fill the processor's vectors; where instants are searched for they would wait for
-        # each other
-        return jax.lax.map(lambda own: one(own, parts), numbers, batch_size=None if names else _ABREAST)
+        if names:  # runs that search for instants would wait for each other
+            return jax.lax.map(lambda own: one(own, parts), numbers)
+        return jax.vmap(one, in_axes=(0, None))(numbers, parts)
 
     return jax.jit(each if many else one)
 
@@ -196,26 +195,28 @@ def run_many(cases: list[Case], *, duration: float, substeps: int) -> Course:
     ------
     ValueError : the cases differ in more than numbers
     """
-    first, layout = pack(cases[0])
+    layout = pack(cases[0])[1]
     names = switch_names(cases[0].plant, cases[0].inputs, duration)
     if any(switch_names(case.plant, case.inputs, duration) != names for case in cases):
         raise ValueError("the cases of a batch may differ in numbers only, not in switchings")
     fixed = 1 if substeps == 1 else None
     compiled = _compiled(layout, samples_of(cases[0].period, duration), fixed, names, True)
-    own = [first, *(layout.numbers(case) for case in cases[1:])]
-    size = math.ceil(len(own) / min(len(own), _cores()))
-    own += own[-1:] * (-len(own) % size)  # groups of one size share one compilation
-    groups = [jax.tree.map(lambda *leaves: np.stack(leaves), *own[at : at + size]) for at in range(0, len(own), size)]
 
-    def course(numbers: Numbers) -> Course:
+    def course(start: int) -> Course:
+        own = [layout.numbers(case) for case in cases[start : start + _ABREAST]]
+        own += own[-1:] * (_ABREAST - len(own))  # groups of one size share one compilation
+        numbers = jax.tree.map(lambda *leaves: np.stack(leaves), *own)
         return jax.tree.map(np.asarray, compiled(numbers, np.asarray(substeps)))
 
-    with ThreadPoolExecutor(len(groups)) as pool:  # XLA and NumPy let go of the interpreter while they work
-        courses = list(pool.map(course, groups))
-        joined = pool.map(
-            lambda leaves: np.concatenate(leaves)[: len(cases)], zip(*map(jax.tree.leaves, courses), strict=True)
-        )
-        return jax.tree.unflatten(jax.tree.structure(courses[0]), list(joined))
+    starts = range(0, len(cases), _ABREAST)
+    whole: list[np.ndarray] = []
+    with ThreadPoolExecutor(_cores()) as pool:  # XLA and NumPy let go of the interpreter while they work
+        for start, found in zip(starts, pool.map(course, starts), strict=True):
+            leaves, structure = jax.tree.flatten(found)
+            whole = whole or [np.empty((len(cases), *leaf.shape[1:]), leaf.dtype) for leaf in leaves]
+            for kept, leaf in zip(whole, leaves, strict=True):
+                kept[start : start + _ABREAST] = leaf[: len(cases) - start]
+    return jax.tree.unflatten(structure, whole)
 
 
 def _cores() -> int:
