@@ -20,10 +20,10 @@ from varistiff.dynamics.control.straight_line import StraightLine, straight_line
 class UsedRange(NamedTuple):
     """Active lengths [m] and disc angles [rad] between which a chain works."""
 
-    length_min: Scalar
-    length_max: Scalar
-    angle_min: Scalar
-    angle_max: Scalar
+    length_min: Number
+    length_max: Number
+    angle_min: Number
+    angle_max: Number
 
 
 class ExactChain(StiffnessChain):
@@ -136,7 +136,8 @@ def _used_range(joint: SliderLeafJoint, setting_min: Number, setting_max: Number
     for field, length, angle in zip(("setting_min", "setting_max"), lengths, angles, strict=True):
         if not is_traced(angle) and not (float(length) > 0.0 and np.isfinite(angle)):
             raise InputError(f"an active length of {float(length):.6g} m is not on the groove", field=field)
-    return UsedRange(*lengths, *angles)
+    # plain numbers where they are known: they are handed over faster, run by run
+    return UsedRange(*(end if is_traced(end) else float(end) for end in (*lengths, *angles)))
 
 
 def _rest_stiffness(joint: SliderLeafJoint, length: Scalar) -> Scalar:
@@ -146,7 +147,8 @@ def _rest_stiffness(joint: SliderLeafJoint, length: Scalar) -> Scalar:
 
 def _reach(chain: ExactChain | WangChain) -> tuple[Scalar, Scalar]:
     """Stiffness at rest of the longest and of the shortest active length used."""
-    return _rest_stiffness(chain.joint, chain.used.length_max), _rest_stiffness(chain.joint, chain.used.length_min)
+    ends = as_scalar(chain.used.length_max), as_scalar(chain.used.length_min)
+    return _rest_stiffness(chain.joint, ends[0]), _rest_stiffness(chain.joint, ends[1])
 
 
 def _commanded_length(chain: ExactChain | WangChain, stiffness: Number) -> Scalar:

@@ -8,8 +8,8 @@ import jax.numpy as jnp
 import numpy as np
 
 from varistiff.actuators.groove import Groove
-from varistiff.dynamics.control.checks import check_range
-from varistiff.dynamics.control.controller import Number, Scalar, as_scalar
+from varistiff.dynamics.control.checks import check_range, is_traced
+from varistiff.dynamics.control.controller import Number, as_scalar
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(48)  # exact to rounding for a circular arc
 _SAMPLES = np.linspace(-1.0, 1.0, 1001)
@@ -18,9 +18,9 @@ _SAMPLES = np.linspace(-1.0, 1.0, 1001)
 class StraightLine(NamedTuple):
     """l_1 = p a + q, and how far from it the groove is at most on the fitted range."""
 
-    slope: Scalar  # p [m/rad]
-    intercept: Scalar  # q [m]
-    error: Scalar  # the largest |p a + q - l_1(a)| [m]
+    slope: Number  # p [m/rad]
+    intercept: Number  # q [m]
+    error: Number  # the largest |p a + q - l_1(a)| [m]
 
 
 def straight_line(groove: Groove, angle_min: Number, angle_max: Number) -> StraightLine:
@@ -42,4 +42,6 @@ def straight_line(groove: Groove, angle_min: Number, angle_max: Number) -> Strai
     slope = tilt / half
     intercept = mean - slope * middle
     error = mean + tilt * _SAMPLES - groove.active_length(middle + half * _SAMPLES)
-    return StraightLine(slope, intercept, jnp.max(jnp.abs(error)))
+    found = (slope, intercept, jnp.max(jnp.abs(error)))
+    # plain numbers where they are known: they are handed over faster, run by run
+    return StraightLine(*(value if is_traced(value) else float(value) for value in found))

@@ -77,7 +77,8 @@ class Course(NamedTuple):
 def _course(radius: float) -> tuple[Float[Array, ""], ...]:
     disc = groove(radius)
     low, high = (disc.angle(jnp.asarray(length)) for length in (paper.LENGTH_MIN, paper.LENGTH_MAX))
-    return (disc.active_length(jnp.asarray(paper.OUTER_ANGLE)), low, high, *straight_line(disc, low, high))
+    line = map(jnp.asarray, straight_line(disc, low, high))
+    return (disc.active_length(jnp.asarray(paper.OUTER_ANGLE)), low, high, *line)
 
 
 @jax.jit
