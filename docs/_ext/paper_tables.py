@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -38,15 +39,18 @@ def scoreboard(paper: str) -> str:
     rows = []
     for finding in results:
         said = line(finding)
-        what = f"{said.what}. {said.reason}" if said.reason else said.what
-        rows.append((said.where, what, *said.cells[2:]))
-    given = [line(finding).cells[:3] for finding in inputs]
+        what = _plain(f"{said.what}. {said.reason}" if said.reason else said.what)
+        computed = said.computed
+        if finding.difference is not None:
+            computed = f"{computed}; off by {said.difference}, allowed {said.tolerance}"
+        rows.append((_plain(said.where), what, _plain(said.published), _plain(computed), said.verdict))
+    given = [tuple(map(_plain, line(finding).cells[:3])) for finding in inputs]
     return "\n\n".join(
         [
             summary(findings),
-            _table(HEADER, rows),
+            _wide(("where", "what", "published", "computed", "verdict"), (15, 41, 15, 15, 14), rows),
             "The paper starts from these numbers:",
-            _table(HEADER[:3], given),
+            _wide(HEADER[:3], (30, 50, 20), given),
         ]
     )
 
@@ -57,7 +61,7 @@ def equations(paper: str) -> str:
     for equation in load_equations(paper):
         names = ", ".join(f"`{name.partition(':')[2]}`" for name in equation.implemented_by)
         rows.append((equation.number, equation.what, names, equation.correction or "as printed"))
-    return _table(("number", "what", "in varistiff", "standing"), rows, raw=True)
+    return _table(("number", "what", "in varistiff", "standing"), rows)
 
 
 def figures(paper: str) -> str:
@@ -86,13 +90,13 @@ def overview() -> str:
     for paper in PAPERS:
         found = counts(board(paper))
         rows.append((f"[{paper}]({paper}.md)", *(str(found[verdict]) for verdict in verdicts)))
-    return _table(("paper", *(verdict.value.replace("_", " ") for verdict in verdicts)), rows, raw=True)
+    return _table(("paper", *(verdict.value.replace("_", " ") for verdict in verdicts)), rows)
 
 
 def verdicts() -> str:
     """Return what each verdict means."""
     rows = [(f"`{verdict.value}`", verdict.meaning) for verdict in Verdict]
-    return _table(("verdict", "meaning"), rows, raw=True)
+    return _table(("verdict", "meaning"), rows)
 
 
 def reading(paper: str) -> str:
@@ -109,9 +113,18 @@ def draw_figures(app: Any) -> None:
             (generated / f"paper_{paper}_{drawing.name}.svg").write_text(drawing.svg(), encoding="utf-8")
 
 
-def _table(header: tuple[str, ...], rows: list[tuple[str, ...]], *, raw: bool = False) -> str:
-    cells = [header, ("---",) * len(header), *(row if raw else tuple(map(_plain, row)) for row in rows)]
+def _table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    cells = [header, ("---",) * len(header), *rows]
     return "\n".join(f"| {' | '.join(cell.replace(chr(10), ' ') for cell in row)} |" for row in cells)
+
+
+def _wide(header: Sequence[str], widths: Sequence[int], rows: Sequence[Sequence[str]]) -> str:
+    """Return a table whose columns have widths of their own."""
+    lines = ["```{list-table}", ":header-rows: 1", f":widths: {' '.join(map(str, widths))}", ""]
+    for row in (header, *rows):
+        for number, cell in enumerate(row):
+            lines.append(f"{'  -' if number else '* -'} {cell}")
+    return "\n".join([*lines, "```"])
 
 
 def _plain(text: str) -> str:

@@ -23,7 +23,7 @@ from varistiff.core.errors import InputError
 from varistiff.design.design import Design
 from varistiff.sections.section import _kept
 
-COMMANDS = ("analyse", "evaluate", "simulate", "validate", "schema", "materials", "verify")
+COMMANDS = ("analyse", "evaluate", "simulate", "reproduce", "validate", "schema", "materials", "verify")
 
 
 def names(directory: Path) -> list[str]:
