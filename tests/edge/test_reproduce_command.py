@@ -44,7 +44,9 @@ def test_files_say_the_same_as_the_table(tmp_path: Path, capsys: pytest.CaptureF
     assert f"{reproduced} reproduced" in table
     page = (output / "scoreboard.html").read_text(encoding="utf-8")
     assert f"{reproduced} reproduced" in page
-    assert page.count("<figure>") == len(list((output / "figures").glob("*.png"))) > 0
+    pictures = list((output / "figures").glob("*.png"))
+    assert page.count("<figure>") == len(pictures) > 0
+    assert all(picture.stem.startswith(PAPER) for picture in pictures)  # every paper has a figure 3
     assert "http://" not in page.replace("http://www.w3.org", "")  # nothing is fetched
     assert main(["validate", str(output / f"{PAPER}.yaml")]) == 0
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 from varistiff.characteristic.provenance import package_versions
 from varistiff.core.writing import staged_directory
@@ -40,7 +41,10 @@ def write_board(
         pictures = {}
         for paper in papers:
             tell(f"{paper}: figures")
-            pictures[paper] = [(figure, saved(drawing, folder / FIGURES)) for figure, drawing in draw_all(paper)]
+            pictures[paper] = [
+                (figure, saved(replace(drawing, name=f"{paper}_{drawing.name}"), folder / FIGURES))
+                for figure, drawing in draw_all(paper)
+            ]
             reading = paper_file(paper, "corrected_reading.yaml").read_text(encoding="utf-8")
             (folder / f"{paper}.yaml").write_text(reading, encoding="utf-8")
         versions = ", ".join(package_versions(("jax", "numpy", "scipy")))
