@@ -207,7 +207,7 @@ def figure_5() -> Drawing:
             markeredgecolor="white",
             clip_on=False,
             zorder=5,
-            label="printed:\n25 mm at 47°",
+            label="25 mm at 47°,\nif they belong\ntogether",
         )
         axes.set(
             xlim=(0.0, 48.0),
