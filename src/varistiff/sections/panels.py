@@ -43,10 +43,27 @@ class Corner:
         return abs(self.interior_angle - math.pi) > SMOOTH
 
 
+Breaks = list[NDArray[np.float64]]  # panel ends along each segment, from 0 to 1
+
+
+class Condensed(NamedTuple):
+    """Corners that stand on one panel of each side, see ``wedge``.
+
+    ``rows`` of shape (m, 2 n) are their nodes: of the side before the corner, outward from it, then of the side after.
+    ``angle`` [rad] and the panels' ``length`` [m] have the shape (m,), ``point`` [m] (m, 2).
+    """
+
+    rows: NDArray[np.int_]
+    angle: NDArray[np.float64]
+    length: NDArray[np.float64]
+    point: Points
+
+
 class Nodes(NamedTuple):
     """Quadrature nodes of the fundamental pieces, panel after panel.
 
-    ``position``, ``tangent`` of shape (n, 2); ``weight`` (n,) holds ds; ``parameters`` holds t, one array a segment.
+    ``position``, ``tangent`` of shape (n, 2); ``weight`` (n,) holds ds; ``parameters`` holds t, one array a segment;
+    ``condensed`` the corners that no panel is graded to, where there are such.
     """
 
     parameters: tuple[NDArray[np.float64], ...]
@@ -55,6 +72,7 @@ class Nodes(NamedTuple):
     weight: NDArray[np.float64]
     order: int
     corners: tuple[Corner, ...]
+    condensed: Condensed | None = None
 
     @property
     def normal(self) -> Points:
@@ -158,11 +176,15 @@ def place_nodes(boundary: Boundary, *, order: int, tolerance: float, limit: int 
     ------
     InputError : the boundary has so many corners, or comes so close to itself, that more nodes would be needed
     """
-    levels = _levels(boundary, tolerance)
+    levels = grading_levels(boundary, tolerance)
     if levels.sum() + len(levels) > limit // order:
         raise InputError(CROWDED)
-    breaks = [_breaks(segment, *pair) for segment, pair in zip(boundary.segments, levels.tolist(), strict=True)]
-    breaks = _separated(boundary, breaks, tolerance, limit // order)
+    breaks = [panel_ends(segment, *pair) for segment, pair in zip(boundary.segments, levels.tolist(), strict=True)]
+    return nodes_between(boundary, _separated(boundary, breaks, tolerance, limit // order), order)
+
+
+def nodes_between(boundary: Boundary, breaks: Breaks, order: int) -> Nodes:
+    """Gauss-Legendre nodes on panels with these ends."""
     t, w = gauss(order)
     parameters = [(marks[:-1, None] + np.diff(marks)[:, None] * t).ravel() for marks in breaks]
     position, velocity = boundary.traced(parameters)
@@ -214,7 +236,7 @@ def _interior_angles(outline: Outline, number: int) -> NDArray[np.float64]:
     return found
 
 
-def _breaks(segment: Segment, first: int, last: int) -> NDArray[np.float64]:
+def panel_ends(segment: Segment, first: int, last: int) -> NDArray[np.float64]:
     """Panel ends along one segment: short turns at an even pace, and so many geometric gradings to its ends."""
     # the panel in the middle is as long beside its distance to a graded end as the others
     outermost = 1.0 / (GRADING + 1.0) if first and last else 1.0 / GRADING
@@ -246,7 +268,7 @@ def _uneven(segment: Segment, marks: NDArray[np.float64]) -> NDArray[np.bool_]:
     return found
 
 
-def _levels(boundary: Boundary, tolerance: float) -> NDArray[np.int_]:
+def grading_levels(boundary: Boundary, tolerance: float) -> NDArray[np.int_]:
     """Gradings to both ends of each segment, shape (n, 2).
 
     The energy within a distance h of a corner goes with h^(2 pi/angle). What a panel there costs of it goes with the
@@ -261,26 +283,31 @@ def _levels(boundary: Boundary, tolerance: float) -> NDArray[np.int_]:
     return np.where(bend > SMOOTH, levels, 2).astype(int)  # at a smooth joint the curvature may jump
 
 
-def _separated(
-    boundary: Boundary, breaks: list[NDArray[np.float64]], tolerance: float, limit: int
-) -> list[NDArray[np.float64]]:
+def _separated(boundary: Boundary, breaks: Breaks, tolerance: float, limit: int) -> Breaks:
     """Split panels until none is long beside its distance to the parts of the boundary that it does not touch."""
     for _ in range(60):
         if sum(marks.size - 1 for marks in breaks) > limit:
             break
-        split = _too_long(boundary, breaks, tolerance)
+        split = overlong_panels(boundary, breaks, tolerance)
         if not split.any():
             return breaks
-        cuts = np.cumsum([marks.size - 1 for marks in breaks])[:-1]
-        breaks = [
-            np.sort(np.concatenate([marks, (0.5 * (marks[:-1] + marks[1:]))[mask]]))
-            for marks, mask in zip(breaks, np.split(split, cuts), strict=True)
-        ]
+        breaks = halved(breaks, split)
     raise InputError(CROWDED)
 
 
-def _too_long(boundary: Boundary, breaks: list[NDArray[np.float64]], tolerance: float) -> NDArray[np.bool_]:
-    """Which panels of all to split."""
+def halved(breaks: Breaks, split: NDArray[np.bool_]) -> Breaks:
+    """The panel ends with some of all panels split in their middles."""
+    cuts = np.cumsum([marks.size - 1 for marks in breaks])[:-1]
+    return [
+        np.sort(np.concatenate([marks, (0.5 * (marks[:-1] + marks[1:]))[mask]]))
+        for marks, mask in zip(breaks, np.split(split, cuts), strict=True)
+    ]
+
+
+def overlong_panels(
+    boundary: Boundary, breaks: Breaks, tolerance: float, ignored: NDArray[np.bool_] | None = None
+) -> NDArray[np.bool_]:
+    """Which panels of all are long beside their distance to another, but of pairs ``ignored[target, source]``."""
     points, tangents = boundary.traced([(m[:-1, None] + np.diff(m)[:, None] * SAMPLES).ravel() for m in breaks])
     tangents /= np.hypot(*tangents.T)[:, None]
     shape = (-1, SAMPLES.size, 2)
@@ -292,7 +319,10 @@ def _too_long(boundary: Boundary, breaks: list[NDArray[np.float64]], tolerance: 
         # the middles tell which pairs can be near enough at all
         middle = samples[:, None, SAMPLES.size // 2] - source[None, :, SAMPLES.size // 2]
         gap = np.hypot(middle[..., 0], middle[..., 1]) - 0.5 * (length[:, None] + length)
-        targets, sources = np.nonzero(length > SEPARATION * gap)
+        near = length > SEPARATION * gap
+        if ignored is not None:
+            near &= ~ignored
+        targets, sources = np.nonzero(near)
         reach = _reach(samples[targets], source[sources], tangent[sources], 1e-9 * float(length.max()))
         long[sources[length[sources] > SEPARATION * reach]] = True
     if long.any():

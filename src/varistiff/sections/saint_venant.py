@@ -16,17 +16,21 @@ need nothing special: omega is single-valued. Then, r about any origin,
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import lu_factor, lu_solve
 
+from varistiff.sections.close_panels import Replaced, close_kernels
 from varistiff.sections.outline import Outline, Points
-from varistiff.sections.panels import Corner, Nodes, boundary_of, gauss, images, place_nodes
+from varistiff.sections.panels import Corner, Nodes, Placed, boundary_of, gauss, images, place_nodes
+from varistiff.sections.wedge import wedge
 
 Values = NDArray[np.float64]
 ORDER, TOLERANCE = 10, 1e-8
+CELLS = 50_000  # of the matrix at a time: what is computed with them stays in the cache
 
 
 @dataclass(frozen=True)
@@ -41,8 +45,7 @@ class SaintVenant:
     second_moments : about the centroid, integrals of x^2, y^2 and x y [m^4]
     torsion_constant : J [m^4]
     shear_centre : of Trefftz, which does not depend on Poisson's ratio, shape (2,) [m]
-    warping : omega at the nodes [m^2]
-    edge_stress : shear stress along the boundary over G theta' [m], shape (n,)
+    warping : omega at the nodes [m^2]; beside condensed corners, of the polynomial next to it in the mean square
     """
 
     outline: Outline
@@ -53,12 +56,23 @@ class SaintVenant:
     torsion_constant: float
     shear_centre: tuple[float, float]
     warping: Values
-    edge_stress: Values
 
     @property
     def corners(self) -> tuple[Corner, ...]:
         """Corners of the fundamental pieces."""
         return self.nodes.corners
+
+    @property
+    def edge_stress(self) -> Values:
+        """Shear stress along the boundary over G theta' [m] at the nodes, shape (n,).
+
+        Raises
+        ------
+        ValueError : nodes with condensed corners, which know the warping beside them only in the mean
+        """
+        if self.nodes.condensed:
+            raise ValueError("the stress beside condensed corners is not known; solve_torsion(outline) grades to them")
+        return _derivative(self.nodes, self.warping) + (self.nodes.position * self.nodes.normal).sum(axis=1)
 
 
 def solve_torsion(
@@ -79,13 +93,12 @@ def solve_torsion(
     if nodes is None:
         nodes = place_nodes(boundary_of(outline), order=order, tolerance=tolerance)
     area, centroid = _area_and_centroid(outline, nodes)
-    nodes = nodes._replace(position=nodes.position - centroid)
+    nodes = _about(nodes, centroid)
     moments = _second_moments(outline, nodes)
     warping = _warping(outline, nodes)
     copies = outline.rotations * (2 if outline.mirror else 1)
     along = (nodes.position * nodes.tangent).sum(axis=1)
     constant = moments[0] + moments[1] - copies * float((warping * along * nodes.weight).sum())
-    edge = _derivative(nodes, warping) + (nodes.position * nodes.normal).sum(axis=1)
     offset = _shear_centre(outline, nodes, warping, moments)
     return SaintVenant(
         outline=outline,
@@ -96,8 +109,14 @@ def solve_torsion(
         torsion_constant=constant,
         shear_centre=(float(centroid[0] + offset[0]), float(centroid[1] + offset[1])),
         warping=warping,
-        edge_stress=edge,
     )
+
+
+def _about(nodes: Nodes, origin: Points) -> Nodes:
+    condensed = nodes.condensed
+    if condensed:
+        condensed = condensed._replace(point=condensed.point - origin)
+    return nodes._replace(position=nodes.position - origin, condensed=condensed)
 
 
 def _whole(outline: Outline, nodes: Nodes) -> tuple[Points, Points, Values]:
@@ -131,22 +150,18 @@ def _second_moments(outline: Outline, nodes: Nodes) -> tuple[float, float, float
 
 def _warping(outline: Outline, nodes: Nodes) -> Values:
     """Solve the integral equation for omega at the nodes; its mean is zero."""
-    at = nodes.position @ [1.0, 1.0j]
-    half = 0.5 * np.abs(at) ** 2
-    count = at.size
-    matrix, load, total = np.zeros((count, count)), np.zeros(count), np.zeros(count)
-    for number, placed in enumerate(images(outline, nodes.position, nodes.tangent)):
-        # t ds/(y - x) as complex numbers: its real part is (y - x).t ds/|y - x|^2, its imaginary part (y - x).n ds/...
-        gap = placed.position @ [1.0, 1.0j] - at[:, None]
-        if number == 0:
-            np.fill_diagonal(gap, 1.0)
-        kernel = np.divide((placed.tangent @ [1.0, 1.0j]) * nodes.weight, gap, out=gap)
-        if number == 0:  # omega(x) - omega(x), and the limit of the right side
-            np.fill_diagonal(kernel, 0.0)
-            load += (nodes.position * nodes.tangent).sum(axis=1) * nodes.weight
-        total += kernel.imag.sum(axis=1)
-        load += kernel.real @ half - half * kernel.real.sum(axis=1)
-        matrix -= placed.sign * kernel.imag
+    count = nodes.weight.size
+    matrix, load, total = np.empty((count, count)), np.empty(count), np.empty(count)
+    placed = images(outline, nodes.position, nodes.tangent)
+    replaced = close_kernels(nodes) if nodes.condensed else None
+    height = max(1, CELLS // count)
+    for low in range(0, count, height):
+        rows = slice(low, min(low + height, count))
+        matrix[rows], load[rows], total[rows] = _equations(nodes, placed, rows, replaced)
+    # omega(x) - omega(x): the limit of the right side
+    load += (nodes.position * nodes.tangent).sum(axis=1) * nodes.weight
+    if nodes.condensed:
+        _condense(matrix, load, total, nodes)
     matrix[np.diag_indices(count)] += total
     if not outline.mirror:  # omega is known up to a constant
         matrix += nodes.weight * (2.0 * math.pi / nodes.weight.sum())
@@ -154,6 +169,51 @@ def _warping(outline: Outline, nodes: Nodes) -> Values:
     factors = lu_factor(matrix.T, overwrite_a=True, check_finite=False)
     found: Values = lu_solve(factors, load, trans=1, check_finite=False)
     return found
+
+
+def _equations(
+    nodes: Nodes, placed: Sequence[Placed], rows: slice, replaced: Replaced | None
+) -> tuple[Values, Values, Values]:
+    """Some rows of the matrix, without what belongs on its diagonal, of the load, and of that diagonal."""
+    x, y = nodes.position[rows].T
+    half = 0.5 * (nodes.position**2).sum(axis=1)
+    matrix, load, total = np.zeros((x.size, half.size)), np.zeros(x.size), np.zeros(x.size)
+    for number, one in enumerate(placed):
+        # (y - x) ds/|y - x|^2, whose parts along t and n are the kernels
+        dx, dy = one.position[:, 0] - x[:, None], one.position[:, 1] - y[:, None]
+        square = dx * dx
+        square += dy * dy
+        if number == 0:
+            square[np.arange(x.size), np.arange(rows.start, rows.stop)] = 1.0
+        np.divide(nodes.weight, square, out=square)
+        dx *= square
+        dy *= square
+        if replaced is not None:
+            points, panels, vectors = replaced.among(rows.start, rows.stop)
+            dx.reshape(x.size, -1, nodes.order)[points, panels] = vectors.real
+            dy.reshape(x.size, -1, nodes.order)[points, panels] = vectors.imag
+        tx, ty = one.tangent.T
+        along = dx @ np.stack([tx * half, tx], axis=1) + dy @ np.stack([ty * half, ty], axis=1)
+        load += along[:, 0] - half[rows] * along[:, 1]
+        dx *= ty
+        dy *= tx
+        across = np.subtract(dx, dy, out=dx)
+        total += across.sum(axis=1)
+        matrix -= across if one.sign > 0.0 else -across
+    return matrix, load, total
+
+
+def _condense(matrix: Values, load: Values, total: Values, nodes: Nodes) -> None:
+    """Put the condensed corners into matrix and load; the row sums must stay zero in all."""
+    assert nodes.condensed is not None
+    rows, angle, length, point = nodes.condensed
+    corner = wedge(angle, nodes.order)
+    matrix[rows[:, :, None], rows[:, None]] += corner.matrix
+    total[rows] -= corner.matrix.sum(axis=2)
+    # r^2/2 along a side is its value at the corner, a linear part and half the square of the distance
+    before, after = -nodes.tangent[rows[:, 0]], nodes.tangent[rows[:, nodes.order]]
+    parts = [length * (point * before).sum(axis=1), length * (point * after).sum(axis=1), length**2]
+    load[rows] += (corner.loads @ np.stack(parts, axis=1)[:, :, None])[:, :, 0]
 
 
 def _derivative(nodes: Nodes, values: Values) -> Values:

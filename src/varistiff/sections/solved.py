@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable
 from contextlib import suppress
 
 import numpy as np
 
 from varistiff.core.errors import InputError
+from varistiff.sections.condensed import place_condensed
 from varistiff.sections.outline import Outline, Points
 from varistiff.sections.panels import NODES_MAX, Boundary, Nodes, boundary_of, gauss, images, place_nodes
 from varistiff.sections.properties import SectionProperties
 from varistiff.sections.saint_venant import SaintVenant, Values, solve_torsion
 
+Rung = tuple[tuple[int, float], tuple[int, float]]
 # nodes a panel and share of J given up at a corner, of a solution and of the coarser one that tells its error
-RUNGS = (
+RUNGS: tuple[Rung, ...] = (
     ((10, 1e-8), (8, 1e-6)),
     ((8, 1e-6), (6, 3e-5)),
     ((6, 1e-6), (4, 3e-6)),
@@ -22,7 +26,17 @@ RUNGS = (
     ((4, 3e-5), (3, 3e-4)),
     ((4, 1e-4), (3, 1e-3)),
 )
-QUICK = 1024  # nodes: of the rungs with fewer, the finest is used
+# the same where corners are condensed, which leaves the shares to the few that are not
+CONDENSED_RUNGS: tuple[Rung, ...] = (
+    ((10, 1e-9), (8, 1e-8)),
+    ((8, 1e-8), (6, 1e-7)),
+    ((6, 1e-7), (5, 1e-6)),
+    ((5, 1e-6), (4, 1e-5)),
+    ((4, 1e-5), (3, 1e-4)),
+)
+ROUNDING = 1e-14
+CONDENSED_ERROR = 1e-8  # of what is interpolated over the angle, which both solutions share
+QUICK = 1024  # nodes on the whole boundary: of the rungs with fewer, the finest is used
 
 
 def solved_properties(outline: Outline) -> SectionProperties:
@@ -44,7 +58,7 @@ def solved_properties(outline: Outline) -> SectionProperties:
         torsion_modulus=fine.torsion_constant / peak,
         stress_points=tuple((float(x), float(y)) for x, y in places),
         shear_centre=fine.shear_centre,
-        error=max(difference(fine, coarse), 1e-14),
+        error=max(difference(fine, coarse), CONDENSED_ERROR if fine.nodes.condensed else ROUNDING),
         method="boundary integral",
     )
 
@@ -52,20 +66,25 @@ def solved_properties(outline: Outline) -> SectionProperties:
 def rung_nodes(outline: Outline) -> tuple[Nodes, Nodes]:
     """Nodes of the finest rung that stays quick, or else of the last one, and those of its coarser solution.
 
+    Corners are condensed where the outline has re-entrant ones, at which the stress is unbounded, and no symmetry.
+
     Raises
     ------
     InputError : walls or gaps too thin, or too many corners
     """
     boundary = boundary_of(outline)
-    *quick, last = RUNGS
+    copies = outline.rotations * (2 if outline.mirror else 1)
+    condensed = copies == 1 and any(corner.is_reentrant for corner in boundary.corners)
+    place, rungs = (place_condensed, CONDENSED_RUNGS) if condensed else (place_nodes, RUNGS)
+    *quick, last = rungs
     for rung in quick:
         with suppress(InputError):
-            return _placed(boundary, rung, QUICK)
-    return _placed(boundary, last, NODES_MAX)
+            return _placed(boundary, place, rung, int(QUICK / math.sqrt(copies)))
+    return _placed(boundary, place, last, NODES_MAX)
 
 
-def _placed(boundary: Boundary, rung: tuple[tuple[int, float], tuple[int, float]], limit: int) -> tuple[Nodes, Nodes]:
-    fine, coarse = (place_nodes(boundary, order=order, tolerance=share, limit=limit) for order, share in rung)
+def _placed(boundary: Boundary, place: Callable[..., Nodes], rung: Rung, limit: int) -> tuple[Nodes, Nodes]:
+    fine, coarse = (place(boundary, order=order, tolerance=share, limit=limit) for order, share in rung)
     return fine, coarse
 
 
