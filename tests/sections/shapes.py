@@ -8,6 +8,7 @@ import numpy as np
 
 from varistiff.sections.outline import Arc, Curve, Line, Loop, Outline, Points
 
+Corners = list[tuple[float, float]]
 L_CORNERS = [(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0), (1.0, 2.0), (0.0, 2.0)]
 SPLINED = {"outer_radius": 0.011, "inner_radius": 0.0087, "rails": 6, "rail_width": 0.004, "rail_height": 0.0025}
 
@@ -82,3 +83,45 @@ def filleted_angle(leg: float, wall: float, radius: float) -> Outline:
             ),
         )
     )
+
+
+def ring(radii: np.ndarray | float, angles: np.ndarray) -> Corners:
+    """Corners at distances from the origin."""
+    points = radii * np.exp(1j * angles)
+    return [(float(z.real), float(z.imag)) for z in points]
+
+
+def even(count: int) -> np.ndarray:
+    """Angles, evenly round."""
+    return 2.0 * np.pi * np.arange(count) / count
+
+
+def star(points: int, root: float) -> Corners:
+    """Points at the distance 1, roots between them."""
+    return ring(np.tile([1.0, root], points), even(2 * points))
+
+
+def gear(teeth: int) -> Corners:
+    """Straight-sided teeth from 0.88 to 1, a little narrower at the top."""
+    angles = even(teeth)[:, None] + 2.0 * np.pi / teeth * np.array([0.0, 0.06, 0.44, 0.5])
+    return ring(np.tile([0.88, 1.0, 1.0, 0.88], teeth), angles.ravel())
+
+
+def jagged(corners: int, seed: int, lowest: float = 0.7) -> Corners:
+    """A ring with distances and angles at random, one quarter of it repeated four times."""
+    draw = np.random.default_rng(seed)
+    count = corners // 4
+    radii, angles = draw.uniform(lowest, 1.0, count), (np.arange(count) + draw.uniform(-0.3, 0.3, count)) / count
+    return ring(np.tile(radii, 4), 0.5 * np.pi * (np.arange(4)[:, None] + angles).ravel())
+
+
+def comb(teeth: int) -> Corners:
+    """Plate of width 1 with slots as wide as the teeth between them, 0.6 deep."""
+    pitch = 1.0 / (2 * teeth - 1)
+    corners = [(0.0, -0.5), (1.0, -0.5)]
+    for tooth in range(teeth):
+        right = 1.0 - 2 * tooth * pitch
+        corners += [(right, 0.6), (right - pitch, 0.6)]
+        if tooth < teeth - 1:
+            corners += [(right - pitch, 0.0), (right - 2.0 * pitch, 0.0)]
+    return corners

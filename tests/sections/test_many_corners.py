@@ -7,34 +7,18 @@ import math
 import numpy as np
 import pytest
 
-from varistiff.sections.outline import Line, Outline
+from varistiff.sections.outline import Outline
 from varistiff.sections.panels import boundary_of, place_nodes
 from varistiff.sections.polygon import Polygon, polygon_of_points
 from varistiff.sections.saint_venant import SaintVenant, solve_torsion
 from varistiff.sections.solved import QUICK, RUNGS, difference, rung_nodes
 
 from .oracles.regular_polygon import regular_polygon
-from .shapes import channel
-
-Corners = list[tuple[float, float]]
-
-
-def ring(radii: np.ndarray | float, angles: np.ndarray) -> Corners:
-    """Corners at distances from the origin."""
-    points = radii * np.exp(1j * angles)
-    return [(float(z.real), float(z.imag)) for z in points]
-
-
-def even(count: int) -> np.ndarray:
-    return 2.0 * np.pi * np.arange(count) / count
+from .shapes import Corners, channel, even, ring, star
 
 
 def facets(radius: float, count: int, x: float = 0.0) -> Corners:
     return [(x + a, b) for a, b in ring(radius, even(count))]
-
-
-def star(points: int, root: float) -> Corners:
-    return ring(np.tile([1.0, root], points), even(2 * points))
 
 
 def ellipse(count: int, share: float) -> Corners:
@@ -92,16 +76,6 @@ def test_error_is_below_the_stated_one(section: Polygon, tolerance: float) -> No
     assert found.error < 300.0 * tolerance
 
 
-@pytest.mark.parametrize(("points", "root"), [(12, 0.5), (15, 0.6), (20, 0.7)])
-def test_stars_against_half_a_point(points: int, root: float) -> None:
-    """Half a point of the star in all its symmetry, far finer: J of the whole outline to 3e-4, and as stated."""
-    tip, foot = star(points, root)[:2]
-    half = Outline(((Line(tip, foot),),), rotations=points, mirror=True)
-    exact = solved(half, 12, 1e-10).torsion_constant
-    found = polygon_of_points(star(points, root)).properties()
-    assert abs(found.torsion_constant / exact - 1.0) < min(found.error, 3e-4)
-
-
 @pytest.mark.parametrize("corners", [20, 40, 64, 100, 150, 256])
 def test_nodes_stay_few(corners: int) -> None:
     for outline in (ring(1.0, even(corners)), ellipse(corners, 0.5), uneven(min(corners, 100)), bean(corners)):
@@ -125,7 +99,7 @@ def test_difference_of_two_solutions_does_not_cancel() -> None:
     outline = polygon_of_points(bean(40)).outline()
     exact = solved(outline, 8, 1e-7).torsion_constant
     rung = ((4, 1e-5), (3, 1e-4))
-    assert rung in RUNGS
+    assert rung in [one[:2] for one in RUNGS]
     fine, coarse = (solved(outline, order, share) for order, share in rung)
     error = abs(fine.torsion_constant / exact - 1.0)
     assert abs(coarse.torsion_constant / fine.torsion_constant - 1.0) < error < difference(fine, coarse)

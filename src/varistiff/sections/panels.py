@@ -186,12 +186,19 @@ def place_nodes(boundary: Boundary, *, order: int, tolerance: float, limit: int 
 def nodes_between(boundary: Boundary, breaks: Breaks, order: int) -> Nodes:
     """Gauss-Legendre nodes on panels with these ends."""
     t, w = gauss(order)
-    parameters = [(marks[:-1, None] + np.diff(marks)[:, None] * t).ravel() for marks in breaks]
+    parameters, width = _spread(breaks, t)
     position, velocity = boundary.traced(parameters)
     speed = np.hypot(*velocity.T)
-    width = np.concatenate([np.diff(marks) for marks in breaks])
     weight = (width[:, None] * w).ravel() * speed
     return Nodes(tuple(parameters), position, velocity / speed[:, None], weight, order, boundary.corners)
+
+
+def _spread(breaks: Breaks, shares: NDArray[np.float64]) -> tuple[list[NDArray[np.float64]], NDArray[np.float64]]:
+    """The same places on every panel as t of each segment, and the widths of all panels."""
+    low = np.concatenate([marks[:-1] for marks in breaks])
+    width = np.concatenate([marks[1:] for marks in breaks]) - low
+    first = np.cumsum([marks.size - 1 for marks in breaks])[:-1]
+    return np.split((low[:, None] + width[:, None] * shares).ravel(), first * shares.size), width
 
 
 def sharp_corners(outline: Outline) -> tuple[Corner, ...]:
@@ -308,7 +315,7 @@ def overlong_panels(
     boundary: Boundary, breaks: Breaks, tolerance: float, ignored: NDArray[np.bool_] | None = None
 ) -> NDArray[np.bool_]:
     """Which panels of all are long beside their distance to another, but of pairs ``ignored[target, source]``."""
-    points, tangents = boundary.traced([(m[:-1, None] + np.diff(m)[:, None] * SAMPLES).ravel() for m in breaks])
+    points, tangents = boundary.traced(_spread(breaks, SAMPLES)[0])
     tangents /= np.hypot(*tangents.T)[:, None]
     shape = (-1, SAMPLES.size, 2)
     samples = points.reshape(shape)

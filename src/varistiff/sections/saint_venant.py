@@ -30,6 +30,7 @@ from varistiff.sections.wedge import wedge
 
 Values = NDArray[np.float64]
 ORDER, TOLERANCE = 10, 1e-8
+REFINEMENTS, PRECISION = 8, 1e-11  # of a linear solution: steps at most, and the share of the last one
 CELLS = 50_000  # of the matrix at a time: what is computed with them stays in the cache
 
 
@@ -165,10 +166,26 @@ def _warping(outline: Outline, nodes: Nodes) -> Values:
     matrix[np.diag_indices(count)] += total
     if not outline.mirror:  # omega is known up to a constant
         matrix += nodes.weight * (2.0 * math.pi / nodes.weight.sum())
-    # the transpose lies in memory as LAPACK wants it, so nothing is copied
+    return _solved(matrix, load)
+
+
+def _solved(matrix: Values, load: Values) -> Values:
+    """Solve linear equations by factors in single precision, which take half the time, refined to double."""
+    # the transpose lies in memory as LAPACK wants it
+    factors = lu_factor(matrix.T.astype(np.float32), overwrite_a=True, check_finite=False)
+    found = np.zeros_like(load)
+    size = np.inf
+    for _ in range(REFINEMENTS):
+        step: Values = lu_solve(factors, (load - matrix @ found).astype(np.float32), trans=1, check_finite=False)
+        found += step
+        before, size = size, float(np.abs(step).max())
+        if size <= PRECISION * np.abs(found).max():
+            return found
+        if not size < 0.1 * before:  # too ill-conditioned for single precision
+            break
     factors = lu_factor(matrix.T, overwrite_a=True, check_finite=False)
-    found: Values = lu_solve(factors, load, trans=1, check_finite=False)
-    return found
+    exact: Values = lu_solve(factors, load, trans=1, check_finite=False)
+    return exact
 
 
 def _equations(

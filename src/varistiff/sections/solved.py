@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from contextlib import suppress
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,28 +16,42 @@ from varistiff.sections.panels import NODES_MAX, Boundary, Nodes, boundary_of, g
 from varistiff.sections.properties import SectionProperties
 from varistiff.sections.saint_venant import SaintVenant, Values, solve_torsion
 
-Rung = tuple[tuple[int, float], tuple[int, float]]
-# nodes a panel and share of J given up at a corner, of a solution and of the coarser one that tells its error
-RUNGS: tuple[Rung, ...] = (
-    ((10, 1e-8), (8, 1e-6)),
-    ((8, 1e-6), (6, 3e-5)),
-    ((6, 1e-6), (4, 3e-6)),
-    ((6, 1e-5), (4, 3e-5)),
-    ((4, 1e-5), (3, 1e-4)),
-    ((4, 3e-5), (3, 3e-4)),
-    ((4, 1e-4), (3, 1e-3)),
+GAP = math.radians(60.0)  # outside a re-entrant corner: from here on order 4 may leave more than 1e-4
+QUICK = 1024  # nodes on the whole boundary: of the rungs with fewer, the finest is used
+
+
+class Rung(NamedTuple):
+    """Nodes a panel and share of J given up at a corner, of a solution and of the coarser one that tells its error.
+
+    ``most`` is the number of nodes up to which it counts as quick, ``beside_gaps`` the same where there is a gap
+    narrower than GAP.
+    """
+
+    fine: tuple[int, float]
+    coarse: tuple[int, float]
+    most: int = QUICK
+    beside_gaps: int = QUICK
+
+
+RUNGS = (
+    Rung((10, 1e-8), (8, 1e-6)),
+    Rung((8, 1e-6), (6, 3e-5)),
+    Rung((6, 1e-6), (4, 3e-6)),
+    Rung((6, 1e-5), (4, 3e-5)),
+    Rung((4, 1e-5), (3, 1e-4)),
+    Rung((4, 3e-5), (3, 3e-4)),
+    Rung((4, 1e-4), (3, 1e-3)),
 )
-# the same where corners are condensed, which leaves the shares to the few that are not
-CONDENSED_RUNGS: tuple[Rung, ...] = (
-    ((10, 1e-9), (8, 1e-8)),
-    ((8, 1e-8), (6, 1e-7)),
-    ((6, 1e-7), (5, 1e-6)),
-    ((5, 1e-6), (4, 1e-5)),
-    ((4, 1e-5), (3, 1e-4)),
+# where corners are condensed the shares are left to the few that are not, and what counts is the nodes
+CONDENSED_RUNGS = (
+    Rung((10, 1e-9), (8, 1e-8)),
+    Rung((8, 1e-8), (6, 1e-7)),
+    Rung((6, 1e-7), (5, 1e-6)),
+    Rung((5, 1e-6), (4, 1e-5), beside_gaps=1280),
+    Rung((4, 1e-5), (3, 1e-4)),
 )
 ROUNDING = 1e-14
 CONDENSED_ERROR = 1e-8  # of what is interpolated over the angle, which both solutions share
-QUICK = 1024  # nodes on the whole boundary: of the rungs with fewer, the finest is used
 
 
 def solved_properties(outline: Outline) -> SectionProperties:
@@ -76,15 +91,19 @@ def rung_nodes(outline: Outline) -> tuple[Nodes, Nodes]:
     copies = outline.rotations * (2 if outline.mirror else 1)
     condensed = copies == 1 and any(corner.is_reentrant for corner in boundary.corners)
     place, rungs = (place_condensed, CONDENSED_RUNGS) if condensed else (place_nodes, RUNGS)
+    gap = 2.0 * math.pi - max((corner.interior_angle for corner in boundary.corners), default=math.pi)
     *quick, last = rungs
     for rung in quick:
+        most = rung.most if gap > GAP else rung.beside_gaps
         with suppress(InputError):
-            return _placed(boundary, place, rung, int(QUICK / math.sqrt(copies)))
+            return _placed(boundary, place, rung, int(most / math.sqrt(copies)))
     return _placed(boundary, place, last, NODES_MAX)
 
 
 def _placed(boundary: Boundary, place: Callable[..., Nodes], rung: Rung, limit: int) -> tuple[Nodes, Nodes]:
-    fine, coarse = (place(boundary, order=order, tolerance=share, limit=limit) for order, share in rung)
+    fine, coarse = (
+        place(boundary, order=order, tolerance=share, limit=limit) for order, share in (rung.fine, rung.coarse)
+    )
     return fine, coarse
 
 
