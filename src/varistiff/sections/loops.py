@@ -230,17 +230,20 @@ def _check_thickness(rings: Sequence[Points], names: Sequence[str]) -> None:
 
     Points every quarter of that distance tell: near each other across the gap, and far apart along the loop.
     """
-    import shapely
     from scipy.spatial import cKDTree
 
     limit = THIN * float(np.ptp(rings[0], axis=0).max())
-    lines = [shapely.LinearRing(ring) for ring in rings]
-    lengths = np.array([line.length for line in lines])
+    closed = [np.concatenate([ring, ring[:1]]) for ring in rings]
+    marks = [np.append(0.0, np.cumsum(np.hypot(*np.diff(ring, axis=0).T))) for ring in closed]
+    lengths = np.array([mark[-1] for mark in marks])
     step = max(0.25 * limit, float(lengths.sum()) / THIN_POINTS)
     along = [np.linspace(0.0, length, max(8, math.ceil(length / step)), endpoint=False) for length in lengths]
-    points = [shapely.line_interpolate_point(line, at) for line, at in zip(lines, along, strict=True)]
+    points = [
+        np.stack([np.interp(at, mark, column) for column in ring.T], axis=1)
+        for at, mark, ring in zip(along, marks, closed, strict=True)
+    ]
     loops = [np.full(at.size, number) for number, at in enumerate(along)]
-    place = shapely.get_coordinates(np.concatenate(points))
+    place = np.concatenate(points)
     loop, distance = np.concatenate(loops), np.concatenate(along)
     one, two = cKDTree(place).query_pairs(limit, output_type="ndarray").T
     gap = np.hypot(*(place[one] - place[two]).T)
