@@ -17,11 +17,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import lu_factor, lu_solve
+from threadpoolctl import ThreadpoolController
 
 from varistiff.sections.close_panels import Replaced, close_kernels
 from varistiff.sections.outline import Outline, Points
@@ -30,6 +33,7 @@ from varistiff.sections.wedge import wedge
 
 Values = NDArray[np.float64]
 ORDER, TOLERANCE = 10, 1e-8
+THREADED = 2000  # nodes from which on threads pay; below they wait for each other, ten times as long on busy cores
 REFINEMENTS, PRECISION = 8, 1e-11  # of a linear solution: steps at most, and the share of the last one
 CELLS = 50_000  # of the matrix at a time: what is computed with them stays in the cache
 
@@ -96,7 +100,8 @@ def solve_torsion(
     area, centroid = _area_and_centroid(outline, nodes)
     nodes = _about(nodes, centroid)
     moments = _second_moments(outline, nodes)
-    warping = _warping(outline, nodes)
+    with _blas().limit(limits=1, user_api="blas") if nodes.weight.size < THREADED else nullcontext():
+        warping = _warping(outline, nodes)
     copies = outline.rotations * (2 if outline.mirror else 1)
     along = (nodes.position * nodes.tangent).sum(axis=1)
     constant = moments[0] + moments[1] - copies * float((warping * along * nodes.weight).sum())
@@ -147,6 +152,12 @@ def _second_moments(outline: Outline, nodes: Nodes) -> tuple[float, float, float
     flux = (position * normal).sum(axis=1) * weight / 4.0
     x, y = position.T
     return float((x * x * flux).sum()), float((y * y * flux).sum()), float((x * y * flux).sum())
+
+
+@cache
+def _blas() -> ThreadpoolController:
+    """What sets the threads of the linear algebra, found once: it takes some milliseconds."""
+    return ThreadpoolController()
 
 
 def _warping(outline: Outline, nodes: Nodes) -> Values:
