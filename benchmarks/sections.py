@@ -18,8 +18,9 @@ from varistiff.sections import P3G, Hexagon, Rectangle, SplinedTube, Square
 from varistiff.sections.outline import Arc, Loop, Outline, is_straight
 from varistiff.sections.polygon import polygon_of_points
 from varistiff.sections.regular_polygon import regular_polygon
+from varistiff.sections.rungs import rung_nodes
 from varistiff.sections.saint_venant import solve_torsion
-from varistiff.sections.solved import rung_nodes, solved_properties
+from varistiff.sections.solved import solved_properties
 
 MESHES = (200, 1500, 6000)  # triangles, about
 FACET = 1.5  # length of a facet of a curved edge over the root of a triangle's area, about that of straight edges

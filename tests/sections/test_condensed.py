@@ -13,8 +13,9 @@ from varistiff.sections.condensed import place_condensed
 from varistiff.sections.outline import Arc, Line, Loop, Outline
 from varistiff.sections.panels import boundary_of, place_nodes
 from varistiff.sections.polygon import Polygon, polygon_of_points
+from varistiff.sections.rungs import QUICK, rung_nodes
 from varistiff.sections.saint_venant import solve_torsion
-from varistiff.sections.solved import QUICK, rung_nodes, solved_properties
+from varistiff.sections.solved import solved_properties
 
 from .oracles import rational
 from .shapes import L_CORNERS, Corners, channel, circle, comb, gear, jagged, star

@@ -15,16 +15,10 @@ from varistiff.sections.condensed import place_condensed
 from varistiff.sections.outline import Image, Line, Outline
 from varistiff.sections.panels import boundary_of, place_nodes
 from varistiff.sections.polygon import polygon_of_points
+from varistiff.sections.rungs import CONDENSED_ERROR, CONDENSED_RUNGS, RUNGS, difference
 from varistiff.sections.saint_venant import SaintVenant, solve_torsion
 from varistiff.sections.section import Section
-from varistiff.sections.solved import (
-    CONDENSED_ERROR,
-    CONDENSED_RUNGS,
-    RUNGS,
-    difference,
-    largest_stress,
-    solved_properties,
-)
+from varistiff.sections.solved import largest_stress, solved_properties
 
 from .shapes import L_CORNERS, SPLINED, circle
 

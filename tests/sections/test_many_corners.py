@@ -10,8 +10,8 @@ import pytest
 from varistiff.sections.outline import Outline
 from varistiff.sections.panels import boundary_of, place_nodes
 from varistiff.sections.polygon import Polygon, polygon_of_points
+from varistiff.sections.rungs import QUICK, RUNGS, difference, rung_nodes
 from varistiff.sections.saint_venant import SaintVenant, solve_torsion
-from varistiff.sections.solved import QUICK, RUNGS, difference, rung_nodes
 
 from .oracles.regular_polygon import regular_polygon
 from .shapes import Corners, channel, even, ring, star

@@ -15,7 +15,8 @@ Complex = NDArray[np.complex128]
 Integers = NDArray[np.int_]
 STRAIGHT = 1e-12  # largest change of a straight panel's unit tangent
 IN_LINE = 1e-9  # share of a panel by which points in line with it may miss its line
-CLOSE = 1e-6  # error of the quadrature, relative to the kernel, from which on it is replaced
+CLOSE = 1e-12  # error of the quadrature of a kernel from which on it is replaced; J of thin walls is a small remainder
+WIDEST = 9.0  # sum of the half axes of the largest ellipse around [-1, 1] in which it is
 
 
 class Replaced(NamedTuple):
@@ -48,14 +49,15 @@ def close_kernels(nodes: Nodes) -> Replaced:
     tangent = nodes.tangent.reshape(-1, order, 2)
     straight = np.flatnonzero((np.abs(tangent - tangent[:, :1]) < STRAIGHT).all(axis=(1, 2)))
     centre, half = 0.5 * (first + last)[straight], (0.5 * (last - first) / (t[-1] - t[0]))[straight]
-    # the error goes with the size of the ellipse through z around [-1, 1] to the power -2 order
-    radius = max(CLOSE ** (-0.5 / order), 2.0)
+    # a kernel alone is integrated to the sum of the half axes of the ellipse through z to the power -2 order
+    radius = min(CLOSE ** (-0.5 / order), WIDEST)
     longest = 0.5 * (radius + 1.0 / radius)
     gap_x, gap_y = (part(at)[:, None] - part(centre) for part in (np.real, np.imag))
     points, panels = np.nonzero(gap_x * gap_x + gap_y * gap_y < (longest * np.abs(half)) ** 2)
     z = (at[points] - centre[panels]) / half[panels]
-    # in line the kernel is a polynomial where it counts
+    # in line with the panel, or on it, the kernel is a polynomial where it counts
     close = (np.abs(z + 1.0) + np.abs(z - 1.0) < 2.0 * longest) & (np.abs(z.imag) > IN_LINE)
+    close &= points // order != straight[panels]
     points, panels, vectors = points[close], straight[panels[close]], _moments(z[close], order) @ _weights(order)
     # they are those of t ds/(y - x), with t along the panel
     vectors = vectors.conj() * (half / np.abs(half))[np.searchsorted(straight, panels), None]

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -29,9 +27,10 @@ Complex = NDArray[np.complex128]
 Integers = NDArray[np.int_]
 ROOM = 2.5  # largest length of a condensed panel over its distance to the rest of the boundary
 GROWTH = 5.0  # largest length of a straight panel over its distance to a corner
-CHORDS = 16  # in place of a curve, where distances to it are asked
+CHORDS = 48  # in place of a curve, where distances to it are asked
 POINTS = np.array([0.25, 0.5, 0.75, 1.0])  # of a condensed panel, to see what is near it
 TOUCHING = 1e-9  # share of a side
+SAME = 1e-8  # share of a segment within which two panel ends are one
 CELLS = 10_000  # pairs of corner and chord at a time, for the memory
 
 
@@ -43,8 +42,7 @@ class _Sides:
         self.levels = grading_levels(boundary, tolerance)
         self.start, self.chord = _complex(boundary.starts), _complex(boundary.chords)
         self.way = self.chord / boundary.lengths  # of no use for curves
-        counts = np.cumsum([len(piece) for piece in boundary.outline.pieces])
-        before = np.concatenate([np.roll(part, 1) for part in np.split(np.arange(counts[-1]), counts[:-1])])
+        before = boundary.neighbours[:, 0]
         straight = np.ones(before.size, dtype=bool)
         straight[boundary.curved] = False
         angle = boundary.angles[:, 0]
@@ -88,7 +86,8 @@ class _Sides:
         straight = np.setdiff1d(np.arange(self.start.size), self.boundary.curved)
         starts, chords, owners = [self.start[straight]], [self.chord[straight]], [straight]
         for number in self.boundary.curved:
-            points = _complex(self.boundary.segments[number].point(np.linspace(0.0, 1.0, CHORDS + 1)))
+            curve = self.boundary.segments[number].point(np.linspace(0.0, 1.0, CHORDS + 1))
+            points = _complex(curve - self.boundary.origin)
             starts.append(points[:-1])
             chords.append(np.diff(points))
             owners.append(np.full(CHORDS, number))
@@ -135,17 +134,18 @@ def place_condensed(boundary: Boundary, *, order: int, tolerance: float, limit: 
 def _marked(sides: _Sides, number: int, low: float, high: float) -> Values:
     """Panel ends along one segment, as its own ends ask for them; ``low`` and ``high`` are its condensed shares."""
     segment, (first, last) = sides.boundary.segments[number], sides.levels[number].tolist()
-    inside = _grown(low) + [1.0 - mark for mark in _grown(high)]
     first, last = 0 if low else first, 0 if high else last
-    ends = panel_ends(segment, first, last).tolist() if first or last or not inside else [0.0, 1.0]
-    marks = sorted(ends + inside)
-    return np.array([0.0, *(two for one, two in pairwise(marks) if two - one > TOUCHING)])
+    ends = panel_ends(segment, first, last).tolist() if first or last or not (low or high) else [0.0, 1.0]
+    rising, falling = _grown(low), [1.0 - mark for mark in _grown(high)]
+    if rising and falling and falling[-1] - rising[-1] < SAME:  # they meet in the middle
+        falling.pop()
+    return np.array(sorted(ends + rising + falling))
 
 
 def _grown(length: float) -> list[float]:
     """Ends of a condensed panel, and of those that grow from it up to the middle of the segment."""
     marks = []
-    while 0.0 < length <= 0.5 + TOUCHING:
+    while 0.0 < length <= 0.5 + SAME:
         marks.append(length)
         length *= 1.0 + GROWTH
     return marks

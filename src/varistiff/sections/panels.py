@@ -62,8 +62,8 @@ class Condensed(NamedTuple):
 class Nodes(NamedTuple):
     """Quadrature nodes of the fundamental pieces, panel after panel.
 
-    ``position``, ``tangent`` of shape (n, 2); ``weight`` (n,) holds ds; ``parameters`` holds t, one array a segment;
-    ``condensed`` the corners that no panel is graded to, where there are such.
+    ``position``, from ``origin``, and ``tangent`` of shape (n, 2); ``weight`` (n,) holds ds; ``parameters`` holds t,
+    one array a segment; ``condensed`` the corners that no panel is graded to, where there are such.
     """
 
     parameters: tuple[NDArray[np.float64], ...]
@@ -72,6 +72,7 @@ class Nodes(NamedTuple):
     weight: NDArray[np.float64]
     order: int
     corners: tuple[Corner, ...]
+    origin: Points
     condensed: Condensed | None = None
 
     @property
@@ -112,9 +113,9 @@ def images(outline: Outline, position: Points, tangent: Points) -> list[Placed]:
 class Boundary(NamedTuple):
     """What every placing of nodes on an outline needs to know of it, for its fundamental segments.
 
-    ``starts`` and ``chords`` [m], shape (n, 2); ``curved`` tells which are not their chords; ``angles`` holds the
-    interior ones at both ends, shape (n, 2), ``lengths`` [m] shape (n,); what a place costs of J goes with its share of
-    ``size`` [m].
+    ``starts``, from ``origin``, and ``chords`` [m], shape (n, 2); ``curved`` tells which are not their chords;
+    ``angles`` holds the interior ones at both ends, and ``neighbours`` the numbers of the segments there, shape (n, 2);
+    ``lengths`` [m] shape (n,); what a place costs of J goes with its share of ``size`` [m].
     """
 
     outline: Outline
@@ -124,23 +125,25 @@ class Boundary(NamedTuple):
     chords: Points
     lengths: NDArray[np.float64]
     angles: NDArray[np.float64]
+    neighbours: NDArray[np.int_]
     corners: tuple[Corner, ...]
+    origin: Points
     size: float
 
     def traced(self, parameters: Sequence[NDArray[np.float64]]) -> tuple[Points, Points]:
-        """Points and velocities at t on each segment, one segment after another, shapes (m, 2)."""
+        """Points from the origin and velocities at t on each segment, one after another, shapes (m, 2)."""
         counts = [t.size for t in parameters]
         velocity = np.repeat(self.chords, counts, axis=0)
         point = np.repeat(self.starts, counts, axis=0) + np.concatenate(parameters)[:, None] * velocity
         first = np.cumsum([0, *counts])
         for number in self.curved:
             own, segment, t = slice(*first[number : number + 2]), self.segments[number], parameters[number]
-            point[own], velocity[own] = segment.point(t), segment.velocity(t)
+            point[own], velocity[own] = segment.point(t) - self.origin, segment.velocity(t)
         return point, velocity
 
 
 def boundary_of(outline: Outline) -> Boundary:
-    """The boundary of an outline."""
+    """The boundary of an outline, from an origin within it so that nothing is lost where it lies far away."""
     segments: list[Segment] = []
     ends: list[Points] = []
     angles: list[NDArray[np.float64]] = []
@@ -158,9 +161,36 @@ def boundary_of(outline: Outline) -> Boundary:
     curved = [number for number, segment in enumerate(segments) if not is_straight(segment)]
     for number in curved:
         lengths[number] = np.hypot(*np.diff(segments[number].point(np.linspace(0.0, 1.0, 9)), axis=0).T).sum()
-    sharp = tuple(corner for corner in corners if corner.is_sharp)
-    found = Boundary(outline, segments, curved, starts, stops - starts, lengths, np.concatenate(angles), sharp, 0.0)
+    found = Boundary(
+        outline=outline,
+        segments=segments,
+        curved=curved,
+        starts=starts,
+        chords=stops - starts,
+        lengths=lengths,
+        angles=np.concatenate(angles),
+        neighbours=_neighbouring(outline),
+        corners=tuple(corner for corner in corners if corner.is_sharp),
+        origin=np.zeros(2),
+        size=0.0,
+    )
+    if outline.rotations == 1 and not outline.mirror:
+        origin = starts.mean(axis=0)
+        found = found._replace(starts=starts - origin, origin=origin)
     return found._replace(size=_size(found))
+
+
+def _neighbouring(outline: Outline) -> NDArray[np.int_]:
+    """Numbers of the segments before and after each one; beyond a mirror line lies the segment itself."""
+    found, first = [], 0
+    for piece in outline.pieces:
+        own = first + np.arange(len(piece))
+        before, after = np.roll(own, 1), np.roll(own, -1)
+        if outline.mirror:
+            before[0], after[-1] = own[0], own[-1]
+        found.append(np.stack([before, after], axis=1))
+        first += own.size
+    return np.concatenate(found)
 
 
 def place_nodes(boundary: Boundary, *, order: int, tolerance: float, limit: int = NODES_MAX) -> Nodes:
@@ -190,7 +220,8 @@ def nodes_between(boundary: Boundary, breaks: Breaks, order: int) -> Nodes:
     position, velocity = boundary.traced(parameters)
     speed = np.hypot(*velocity.T)
     weight = (width[:, None] * w).ravel() * speed
-    return Nodes(tuple(parameters), position, velocity / speed[:, None], weight, order, boundary.corners)
+    tangent = velocity / speed[:, None]
+    return Nodes(tuple(parameters), position, tangent, weight, order, boundary.corners, boundary.origin)
 
 
 def _spread(breaks: Breaks, shares: NDArray[np.float64]) -> tuple[list[NDArray[np.float64]], NDArray[np.float64]]:
@@ -332,23 +363,24 @@ def overlong_panels(
         targets, sources = np.nonzero(near)
         reach = _reach(samples[targets], source[sources], tangent[sources], 1e-9 * float(length.max()))
         long[sources[length[sources] > SEPARATION * reach]] = True
+    owner = np.repeat(np.arange(len(breaks)), [marks.size - 1 for marks in breaks])
     if long.any():
-        long[long] = ~_spared(boundary, samples[long], tolerance)
+        long[long] = ~_spared(boundary, samples[long], owner[long], tolerance)
     return long
 
 
-def _spared(boundary: Boundary, samples: Points, tolerance: float) -> NDArray[np.bool_]:
-    """Which panels lie, whole, so near to a convex corner that what is there does not count; samples (n, m, 2).
+def _spared(boundary: Boundary, samples: Points, owner: NDArray[np.int_], tolerance: float) -> NDArray[np.bool_]:
+    """Which panels lie, whole, so near to a convex corner of their segment that what is there does not count.
 
-    The share of the energy there is below the tolerance.
+    The share of the energy there is below the tolerance. Samples have the shape (n, m, 2).
     """
-    found = np.zeros(len(samples), dtype=bool)
-    for corner in boundary.corners:
-        if not corner.is_reentrant:
-            reach = boundary.size * tolerance ** (corner.interior_angle / (2.0 * math.pi))
-            point = np.array([corner.point])
-            for placed in images(boundary.outline, point, point):
-                found |= np.hypot(*(samples - placed.position[0]).transpose(2, 0, 1)).max(axis=1) < reach
+    angles = boundary.angles
+    shorter = np.minimum(boundary.lengths[:, None], boundary.lengths[boundary.neighbours])
+    reach = np.minimum(boundary.size * tolerance ** (angles / (2.0 * math.pi)), shorter)
+    reach[angles > math.pi - SMOOTH] = 0.0
+    ends, _ = boundary.traced([ENDS] * len(boundary.segments))
+    distance = np.hypot(*(samples[:, None] - ends.reshape(-1, 2, 2)[owner][:, :, None]).transpose(3, 0, 1, 2))
+    found: NDArray[np.bool_] = (distance.max(axis=2) < reach[owner]).any(axis=1)
     return found
 
 

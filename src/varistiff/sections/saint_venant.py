@@ -106,6 +106,7 @@ def solve_torsion(
     along = (nodes.position * nodes.tangent).sum(axis=1)
     constant = moments[0] + moments[1] - copies * float((warping * along * nodes.weight).sum())
     offset = _shear_centre(outline, nodes, warping, moments)
+    centroid = nodes.origin
     return SaintVenant(
         outline=outline,
         nodes=nodes,
@@ -118,11 +119,12 @@ def solve_torsion(
     )
 
 
-def _about(nodes: Nodes, origin: Points) -> Nodes:
+def _about(nodes: Nodes, place: Points) -> Nodes:
+    """The nodes from another origin, which is a place from the present one."""
     condensed = nodes.condensed
     if condensed:
-        condensed = condensed._replace(point=condensed.point - origin)
-    return nodes._replace(position=nodes.position - origin, condensed=condensed)
+        condensed = condensed._replace(point=condensed.point - place)
+    return nodes._replace(position=nodes.position - place, origin=nodes.origin + place, condensed=condensed)
 
 
 def _whole(outline: Outline, nodes: Nodes) -> tuple[Points, Points, Values]:
