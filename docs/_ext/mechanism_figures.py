@@ -12,6 +12,7 @@ import paper_tables
 DEVICES = ("roller_beam", "torsion_tube", "antagonistic_leaves", "slider_leaf_joint", "maccepa")
 COMPUTED = (
     "torsion_fillet",
+    "condensed_corners",
     "joint_resonance",
     "joint_bode",
     "knee_map",

@@ -9,11 +9,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from varistiff.sections.boundary import boundary_of
 from varistiff.sections.condensed import place_condensed
 from varistiff.sections.outline import Arc, Line, Loop, Outline
-from varistiff.sections.panels import boundary_of, place_nodes
+from varistiff.sections.panels import place_nodes
 from varistiff.sections.polygon import Polygon, polygon_of_points
-from varistiff.sections.rungs import QUICK, rung_nodes
+from varistiff.sections.rungs import LOOSE, LOOSEST, QUICK, RUNGS, rung_nodes, settled, stated_error
 from varistiff.sections.saint_venant import solve_torsion
 from varistiff.sections.solved import solved_properties
 
@@ -188,3 +189,69 @@ def test_symmetric_and_convex_outlines_are_graded() -> None:
 def test_too_many_corners_are_refused() -> None:
     with pytest.raises(Exception, match="too many corners"):
         polygon_of_points(star(490, 0.97)).properties()
+
+
+def slit_tube(wall: float, slit: float) -> Corners:
+    """Square tube of width 1, open in the middle of its top."""
+    left, right = 0.5 - 0.5 * slit, 0.5 + 0.5 * slit
+    outer = [(right, 1.0), (right, 1.0 - wall), (1.0 - wall, 1.0 - wall), (1.0 - wall, wall), (wall, wall)]
+    inner = [(wall, 1.0 - wall), (left, 1.0 - wall), (left, 1.0), (0.0, 1.0)]
+    return [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), *outer, *inner]
+
+
+@pytest.mark.parametrize(("wall", "slit"), [(0.1, 0.02), (0.1, 0.005), (0.03, 0.01)])
+def test_slit_tubes(wall: float, slit: float) -> None:
+    """J is a small remainder of the polar moment, which errors of close kernels would swamp."""
+    outline = whole(slit_tube(wall, slit))
+    exact = solve_torsion(outline, nodes=place_nodes(boundary_of(outline), order=12, tolerance=1e-10))
+    found = solved_properties(outline)
+    assert exact.torsion_constant < 0.02 * sum(exact.second_moments[:2])
+    assert abs(found.torsion_constant / exact.torsion_constant - 1.0) < min(found.error, 1e-6)
+
+
+def round_slit_tube(slit: float, bore: float) -> Outline:
+    """Radius 1, open on +x; no re-entrant corner."""
+    outer, inner = math.asin(0.5 * slit), math.asin(0.5 * slit / bore)
+    around = Arc((0.0, 0.0), 1.0, outer, 2.0 * (math.pi - outer))
+    back = Arc((0.0, 0.0), bore, 2.0 * math.pi - inner, -2.0 * (math.pi - inner))
+    faces = [(math.cos(outer), 0.5 * slit), (bore * math.cos(inner), 0.5 * slit)]
+    (a, b), (c, d) = faces
+    return Outline(((around, Line((a, -b), (c, -d)), back, Line((c, d), (a, b))),))
+
+
+def test_a_narrow_slit_is_settled_on_a_finer_rung() -> None:
+    """The quick rung is far off and says so; both solutions of a rung must not miss the slit alike."""
+    outline = round_slit_tube(0.005, 0.8)
+    exact = solve_torsion(outline, order=14, tolerance=1e-10).torsion_constant
+    fine, coarse = (solve_torsion(outline, nodes=nodes) for nodes in rung_nodes(outline))
+    assert stated_error(fine, coarse) > LOOSE
+    found, error = settled(outline)
+    assert found.nodes.weight.size > fine.nodes.weight.size
+    assert abs(found.torsion_constant / exact - 1.0) < error < LOOSE
+    for rung in RUNGS:
+        fine, coarse = (
+            solve_torsion(outline, order=order, tolerance=share) for order, share in (rung.fine, rung.coarse)
+        )
+        assert abs(fine.torsion_constant / exact - 1.0) < max(stated_error(fine, coarse), LOOSE) or (
+            stated_error(fine, coarse) > LOOSEST
+        )
+
+
+def test_a_hole_beside_a_tip() -> None:
+    """A tip of 14 degrees spares its own two sides from being split, and not the hole between them."""
+    side, radius = math.radians(7.0), 0.12
+    corners = [(0.0, 0.0), (1.9, -1.9 * math.tan(side)), (1.6, 0.0), (1.9, 1.9 * math.tan(side))]
+    x = (radius + 0.005) / math.sin(side)
+    outline = Outline((lines(corners), circle((x, 0.0), radius, hole=True)))
+    exact = solve_torsion(outline, nodes=place_nodes(boundary_of(outline), order=12, tolerance=1e-10))
+    found = solved_properties(outline)
+    assert abs(found.torsion_constant / exact.torsion_constant - 1.0) < min(found.error, 1e-5)
+
+
+@pytest.mark.parametrize(("size", "offset"), [(1e-3, 9e3), (1e-4, 1e3), (1.0, 9e3)])
+def test_far_from_the_origin(size: float, offset: float) -> None:
+    """Coordinates are rounded to 1e-16 of the offset: to 1e-9 of the size, and J to four times that and a table's."""
+    turn = complex(math.cos(0.3), math.sin(0.3))
+    far = [complex(x, y) * size * turn + complex(offset, -0.7 * offset) for x, y in L_CORNERS]
+    found = polygon_of_points([(z.real, z.imag) for z in far]).torsion_constant
+    assert found == pytest.approx(polygon_of_points(L_CORNERS).torsion_constant * size**4, rel=2e-8)

@@ -11,9 +11,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from varistiff.sections import P3G, P4C, Hexagon, HollowCircle, Octagon, Rectangle, SplinedTube, Square
+from varistiff.sections.boundary import boundary_of
 from varistiff.sections.condensed import place_condensed
 from varistiff.sections.outline import Image, Line, Outline
-from varistiff.sections.panels import boundary_of, place_nodes
+from varistiff.sections.panels import place_nodes
 from varistiff.sections.polygon import polygon_of_points
 from varistiff.sections.rungs import CONDENSED_ERROR, CONDENSED_RUNGS, RUNGS, difference
 from varistiff.sections.saint_venant import SaintVenant, solve_torsion

@@ -7,8 +7,9 @@ import math
 import numpy as np
 import pytest
 
+from varistiff.sections.boundary import boundary_of
 from varistiff.sections.outline import Outline
-from varistiff.sections.panels import boundary_of, place_nodes
+from varistiff.sections.panels import place_nodes
 from varistiff.sections.polygon import Polygon, polygon_of_points
 from varistiff.sections.rungs import QUICK, RUNGS, difference, rung_nodes
 from varistiff.sections.saint_venant import SaintVenant, solve_torsion

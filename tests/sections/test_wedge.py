@@ -7,8 +7,9 @@ import math
 import numpy as np
 import pytest
 
+from varistiff.sections.boundary import boundary_of, gauss
 from varistiff.sections.close_panels import close_kernels
-from varistiff.sections.panels import boundary_of, gauss, place_nodes
+from varistiff.sections.panels import place_nodes
 from varistiff.sections.polygon import polygon_of_points
 from varistiff.sections.wedge import DEGREES, NARROW, wedge
 

@@ -306,8 +306,8 @@ def _has_sharp_root(tube: TorsionTubeSpec) -> bool:
     if isinstance(section, SplinedTubeSpec):
         return section.root_fillet == 0.0
     if isinstance(section, OutlineSpec):
+        from varistiff.sections.boundary import sharp_corners
         from varistiff.sections.outline import Outline
-        from varistiff.sections.panels import sharp_corners
 
         return any(corner.is_reentrant for corner in sharp_corners(Outline(section.loops)))
     return False

@@ -8,7 +8,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from varistiff.sections.panels import Nodes, gauss
+from varistiff.sections.boundary import gauss
+from varistiff.sections.panels import Nodes
 
 Values = NDArray[np.float64]
 Complex = NDArray[np.complex128]

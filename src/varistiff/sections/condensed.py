@@ -6,20 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from varistiff.core.errors import InputError
+from varistiff.sections.boundary import Boundary
 from varistiff.sections.outline import Points
-from varistiff.sections.panels import (
-    CROWDED,
-    NODES_MAX,
-    Boundary,
-    Breaks,
-    Condensed,
-    Nodes,
-    grading_levels,
-    halved,
-    nodes_between,
-    overlong_panels,
-    panel_ends,
-)
+from varistiff.sections.panels import NODES_MAX, Condensed, Nodes, grading_levels, nodes_between, panel_ends
+from varistiff.sections.separation import CROWDED, Breaks, halved, overlong_panels
 from varistiff.sections.wedge import NARROW
 
 Values = NDArray[np.float64]

@@ -11,10 +11,12 @@ from typing import NamedTuple
 import numpy as np
 
 from varistiff.core.errors import InputError
+from varistiff.sections.boundary import boundary_of
 from varistiff.sections.condensed import place_condensed
 from varistiff.sections.outline import Outline
-from varistiff.sections.panels import CROWDED, NODES_MAX, Nodes, boundary_of, place_nodes
+from varistiff.sections.panels import NODES_MAX, Nodes, place_nodes
 from varistiff.sections.saint_venant import SaintVenant, Values, solve_torsion
+from varistiff.sections.separation import CROWDED
 
 GAP = math.radians(60.0)  # outside a re-entrant corner: from here on order 4 may leave more than 1e-4
 QUICK = 1024  # nodes on the whole boundary: of the rungs with fewer, the finest is used

@@ -26,9 +26,10 @@ from numpy.typing import NDArray
 from scipy.linalg import lu_factor, lu_solve
 from threadpoolctl import ThreadpoolController
 
+from varistiff.sections.boundary import Corner, Placed, boundary_of, gauss, images
 from varistiff.sections.close_panels import Replaced, close_kernels
 from varistiff.sections.outline import Outline, Points
-from varistiff.sections.panels import Corner, Nodes, Placed, boundary_of, gauss, images, place_nodes
+from varistiff.sections.panels import Nodes, place_nodes
 from varistiff.sections.wedge import wedge
 
 Values = NDArray[np.float64]

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from varistiff.sections.boundary import gauss, images
 from varistiff.sections.outline import Outline, Points
-from varistiff.sections.panels import gauss, images
 from varistiff.sections.properties import SectionProperties
 from varistiff.sections.rungs import settled
 from varistiff.sections.saint_venant import SaintVenant, Values

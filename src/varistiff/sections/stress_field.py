@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from varistiff.sections.boundary import images
 from varistiff.sections.outline import Points
-from varistiff.sections.panels import images
 from varistiff.sections.saint_venant import SaintVenant
 
 CELLS = 2_000_000  # complex numbers held at once: 32 MB

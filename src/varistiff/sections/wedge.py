@@ -25,7 +25,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from varistiff.sections.panels import gauss
+from varistiff.sections.boundary import gauss
 
 Values = NDArray[np.float64]
 NARROW = math.radians(20.0)  # sharper corners and slots see each other too closely along their sides
