@@ -39,7 +39,7 @@ def draw() -> Figure:
         axes = figure.add_axes((0.37, 0.145, 0.60, 0.80))
         for outline, exact, marker, name in (
             (angle, solve_torsion(angle, order=16, tolerance=1e-12).torsion_constant, "o", "angle"),
-            (star, solve_torsion(HALF_A_POINT, order=12, tolerance=1e-10).torsion_constant, "^", "star of 20 points"),
+            (star, solve_torsion(HALF_A_POINT, order=12, tolerance=1e-10).torsion_constant, "^", "star"),
         ):
             for place, rungs, colour in ((place_nodes, GRADED, ORANGE), (place_condensed, CONDENSED, BLUE)):
                 counts, errors = _errors(outline, exact, place, rungs)
