@@ -93,8 +93,8 @@ def place_condensed(boundary: Boundary, *, order: int, tolerance: float, limit: 
 
     Each such corner has one panel on each of its sides, both of one length: half the shorter side, or less where other
     parts of the boundary are near. From there panels grow away from all corners. Straight panels may lie as close to
-    each other as they like, so walls cost no nodes; curves, and the few corners that are too narrow, are treated as
-    ``place_nodes`` does.
+    each other as they like, so a thin wall costs nodes at its ends only; curves, and the few corners that are too
+    narrow, are treated as ``place_nodes`` does.
 
     Parameters
     ----------
