@@ -30,7 +30,7 @@ from varistiff.sections.boundary import gauss
 Values = NDArray[np.float64]
 NARROW = math.radians(20.0)  # sharper corners and slots see each other too closely along their sides
 DEGREES = 10  # polynomials on a side
-ANGLES = 40  # of the interpolation: R is singular at 0 and 2 pi, which leaves 1e-8
+ANGLES = 40  # of the interpolation: R is singular at 0 and 2 pi, which leaves 4e-8
 RATIO, LEVELS = 3.0, 30  # of the fine mesh: its innermost panel is 1e-14 long
 FINEST, COARSEST = 14, 4  # nodes of its panels: inside their errors count less
 
