@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -9,7 +11,7 @@ from varistiff.core.errors import InputError
 from varistiff.sections.boundary import Boundary
 from varistiff.sections.outline import Points
 from varistiff.sections.panels import NODES_MAX, Condensed, Nodes, grading_levels, nodes_between, panel_ends
-from varistiff.sections.separation import CROWDED, Breaks, halved, overlong_panels
+from varistiff.sections.separation import CROWDED, Breaks, overlong_panels, split_overlong
 from varistiff.sections.wedge import NARROW
 
 Values = NDArray[np.float64]
@@ -112,7 +114,7 @@ def place_condensed(boundary: Boundary, *, order: int, tolerance: float, limit: 
     ends = np.zeros((sides.start.size, 2))  # of each segment, 0 where no corner is condensed
     ends[sides.after, 0] = ends[sides.before, 1] = length
     breaks = [_marked(sides, number, *pair) for number, pair in enumerate((ends / boundary.lengths[:, None]).tolist())]
-    breaks = _refined(sides, breaks, tolerance, limit // order)
+    breaks = split_overlong(breaks, partial(_too_long, sides=sides, tolerance=tolerance), limit // order)
     nodes = nodes_between(boundary, breaks, order)
     first = order * np.cumsum([0, *(marks.size - 1 for marks in breaks)])
     outward = np.arange(order)
@@ -141,19 +143,8 @@ def _grown(length: float) -> list[float]:
     return marks
 
 
-def _refined(sides: _Sides, breaks: Breaks, tolerance: float, limit: int) -> Breaks:
-    """Split panels that are too long for what is near them; ``limit`` is of the panels."""
-    for _ in range(60):
-        if sum(marks.size - 1 for marks in breaks) > limit:
-            break
-        split = _too_long(sides, breaks, tolerance)
-        if not split.any():
-            return breaks
-        breaks = halved(breaks, split)
-    raise InputError(CROWDED)
-
-
-def _too_long(sides: _Sides, breaks: Breaks, tolerance: float) -> NDArray[np.bool_]:
+def _too_long(breaks: Breaks, sides: _Sides, tolerance: float) -> NDArray[np.bool_]:
+    """Which panels of all are too long for what is near them."""
     boundary = sides.boundary
     counts = [marks.size - 1 for marks in breaks]
     owner = np.repeat(np.arange(len(breaks)), counts)
@@ -165,7 +156,7 @@ def _too_long(sides: _Sides, breaks: Breaks, tolerance: float) -> NDArray[np.boo
     long = _near_corners(sides, breaks, owner) & straight & ~condensed
     if boundary.curved:
         ignored = (straight[:, None] & straight) | condensed
-        long |= overlong_panels(boundary, breaks, tolerance, ignored)
+        long |= overlong_panels(breaks, boundary, tolerance, ignored)
     return long
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 from varistiff.core.errors import InputError
 from varistiff.sections.boundary import SMOOTH, Boundary, Corner, gauss
 from varistiff.sections.outline import Points, Segment, is_straight
-from varistiff.sections.separation import CROWDED, Breaks, separated, spread
+from varistiff.sections.separation import CROWDED, Breaks, overlong_panels, split_overlong, spread
 
 GRADING = 3.0  # ratio of neighbouring panels towards a corner
 TURN = math.pi / 3.0  # largest change of direction along one panel
@@ -71,7 +72,8 @@ def place_nodes(boundary: Boundary, *, order: int, tolerance: float, limit: int 
     if levels.sum() + len(levels) > limit // order:
         raise InputError(CROWDED)
     breaks = [panel_ends(segment, *pair) for segment, pair in zip(boundary.segments, levels.tolist(), strict=True)]
-    return nodes_between(boundary, separated(boundary, breaks, tolerance, limit // order), order)
+    overlong = partial(overlong_panels, boundary=boundary, tolerance=tolerance)
+    return nodes_between(boundary, split_overlong(breaks, overlong, limit // order), order)
 
 
 def nodes_between(boundary: Boundary, breaks: Breaks, order: int) -> Nodes:

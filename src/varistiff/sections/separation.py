@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -18,19 +19,24 @@ SAMPLES = np.array([0.0, 0.07, 0.25, 0.5, 0.75, 0.93, 1.0])  # of a panel, to se
 CROWDED = "has walls or gaps too thin, or too many corners, to be solved; allowed are thicker walls, or fewer corners"
 
 
-def separated(boundary: Boundary, breaks: Breaks, tolerance: float, limit: int) -> Breaks:
-    """Split panels until none is long beside its distance to the parts of the boundary that it does not touch."""
+def split_overlong(breaks: Breaks, overlong: Callable[[Breaks], NDArray[np.bool_]], limit: int) -> Breaks:
+    """Halve the panels that ``overlong`` finds until it finds none.
+
+    Raises
+    ------
+    InputError : that would take more panels than the limit
+    """
     for _ in range(60):
         if sum(marks.size - 1 for marks in breaks) > limit:
             break
-        split = overlong_panels(boundary, breaks, tolerance)
+        split = overlong(breaks)
         if not split.any():
             return breaks
-        breaks = halved(breaks, split)
+        breaks = _halved(breaks, split)
     raise InputError(CROWDED)
 
 
-def halved(breaks: Breaks, split: NDArray[np.bool_]) -> Breaks:
+def _halved(breaks: Breaks, split: NDArray[np.bool_]) -> Breaks:
     """The panel ends with some of all panels split in their middles."""
     cuts = np.cumsum([marks.size - 1 for marks in breaks])[:-1]
     return [
@@ -40,7 +46,7 @@ def halved(breaks: Breaks, split: NDArray[np.bool_]) -> Breaks:
 
 
 def overlong_panels(
-    boundary: Boundary, breaks: Breaks, tolerance: float, ignored: NDArray[np.bool_] | None = None
+    breaks: Breaks, boundary: Boundary, tolerance: float, ignored: NDArray[np.bool_] | None = None
 ) -> NDArray[np.bool_]:
     """Which panels of all are long beside their distance to another, but of pairs ``ignored[target, source]``."""
     points, tangents = boundary.traced(spread(breaks, SAMPLES)[0])
