@@ -124,7 +124,7 @@ def _meshed(outline: Outline, triangles: int) -> Callable[[], tuple[float, int]]
     from sectionproperties.pre import Geometry
     from shapely import Polygon
 
-    area = abs(solve_torsion(outline, order=4, tolerance=1e-4).area) / triangles
+    area = solve_torsion(outline, nodes=rung_nodes(outline)[1]).area / triangles
     outer, *holes = (_polyline(loop, FACET * math.sqrt(area)) for loop in outline.loops)
 
     def solve() -> tuple[float, int]:

@@ -15,6 +15,7 @@ import xarray as xr
 from varistiff.actuators.torsion_tube import TorsionTube
 from varistiff.characteristic.datasheet import datasheet
 from varistiff.characteristic.map import characteristic_map
+from varistiff.core.errors import InputError
 from varistiff.design.design import load
 from varistiff.report.analyse import analyse
 from varistiff.report.figures import draw_all, section_stress
@@ -186,3 +187,26 @@ def test_side_view_of_a_square() -> None:
 def test_rails_and_fillets_are_edges() -> None:
     for section, count in ((SHARP, 24), (ROUNDED, 24), (Circle(radius=0.01), 0), (SECTIONS["p3g"], 0)):
         assert edges_of(section_loops(section)[0]).points.shape[0] == count
+
+
+def _star(points: int, root: float) -> Section:
+    at = np.tile([0.01, 0.01 * root], points) * np.exp(1j * np.pi * np.arange(2 * points) / points)
+    return polygon_of_points([(float(z.real), float(z.imag)) for z in at])
+
+
+def test_many_re_entrant_corners_are_painted_more_coarsely() -> None:
+    """A star of 40 points in less room than its finest solution asks: no stress in the tips, a little in the middle."""
+    section = _star(40, 0.8)
+    field = section_field(section)
+    rows, columns = field.values.shape
+    typical = float(np.nanmedian(field.values))
+    assert np.nanmax(field.values[rows // 2, -3:]) < 0.3 * typical
+    assert field.values[rows // 2, columns // 2] < 0.1 * typical
+
+
+def test_a_section_that_cannot_be_painted_has_no_picture(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(_: Section) -> None:
+        raise InputError("has too many corners")
+
+    monkeypatch.setattr(section_stress, "section_field", refuse)
+    assert section_stress.draw(_tube("square"), _map("square")) is None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,14 +11,19 @@ import numpy.typing as npt
 from matplotlib.path import Path
 from scipy.ndimage import distance_transform_edt, map_coordinates
 
+from varistiff.core.errors import InputError
 from varistiff.report.section_path import contains, section_path
 from varistiff.report.view import Array
+from varistiff.sections.boundary import boundary_of
 from varistiff.sections.outline import Outline
+from varistiff.sections.panels import Nodes, place_nodes
 from varistiff.sections.saint_venant import solve_torsion
 from varistiff.sections.section import Section
 from varistiff.sections.stress_field import stress_field
 
-ORDER, TOLERANCE = 6, 1e-4  # of the solution: a picture needs no more
+# nodes a panel and share given up at a corner, of the first solution that stays quick: a picture needs no more
+RUNGS = ((6, 1e-4), (4, 1e-3), (3, 1e-2))
+QUICK = 3200  # nodes, which take about a second
 WORK = 1e7  # points times nodes, about a quarter of a second
 PIXELS = 400  # along the longer side
 
@@ -40,9 +46,14 @@ class SectionField:
 
 
 def section_field(section: Section) -> SectionField:
-    """Solve the torsion of a section and evaluate its stress; one sector stands for all where there is a symmetry."""
+    """Solve the torsion of a section and evaluate its stress; one sector stands for all where there is a symmetry.
+
+    Raises
+    ------
+    InputError : so many corners, or such thin walls, that not even the coarsest solution has room
+    """
     outline = section.outline()
-    solution = solve_torsion(outline, order=ORDER, tolerance=TOLERANCE)
+    solution = solve_torsion(outline, nodes=_nodes(outline))
     loops = outline.polylines()
     path = section_path(loops)
     low, high = loops[0].min(axis=0), loops[0].max(axis=0)
@@ -66,6 +77,15 @@ def section_field(section: Section) -> SectionField:
     at = (folded - start)[:, ::-1].T / coarse
     values[inside] = map_coordinates(size, at, order=1, mode="nearest") / solution.torsion_constant
     return SectionField(values, (x[0] - pitch / 2, x[-1] + pitch / 2, y[0] - pitch / 2, y[-1] + pitch / 2), path)
+
+
+def _nodes(outline: Outline) -> Nodes:
+    boundary = boundary_of(outline)
+    for order, share in RUNGS[:-1]:
+        with suppress(InputError):
+            return place_nodes(boundary, order=order, tolerance=share, limit=QUICK)
+    order, share = RUNGS[-1]
+    return place_nodes(boundary, order=order, tolerance=share)
 
 
 def _folded(outline: Outline, points: Array) -> Array:

@@ -76,7 +76,7 @@ def overlong_panels(
 
 
 class _Tips(NamedTuple):
-    """Which panels lie, whole, so near to a convex corner of their segment that what is there does not count.
+    """Which panels lie, whole, so near to a corner of their segment that what is there does not count.
 
     The share of the energy there is below a tolerance. ``near`` of shape (panels, 2) is for both ends of the segments
     ``owner``, ``corners`` (2 segments, 2) are those ends.
@@ -93,7 +93,7 @@ class _Tips(NamedTuple):
         angles = boundary.angles
         shorter = np.minimum(boundary.lengths[:, None], boundary.lengths[boundary.neighbours])
         reach = np.minimum(boundary.size * tolerance ** (angles / (2.0 * math.pi)), shorter)
-        reach[angles > math.pi - SMOOTH] = 0.0
+        reach[np.abs(angles - math.pi) < SMOOTH] = 0.0
         corners, _ = boundary.traced([ENDS] * len(boundary.segments))
         away = samples[:, None] - corners.reshape(-1, 2, 2)[owner][:, :, None]
         distance = np.hypot(away[..., 0], away[..., 1]).max(axis=2)
@@ -102,9 +102,9 @@ class _Tips(NamedTuple):
     def shared(
         self, targets: NDArray[np.int_], sources: NDArray[np.int_], placed: Points, touching: float
     ) -> NDArray[np.bool_]:
-        """Whether pairs of panels are the two sides of one tip; ``placed`` are the corners of the sources.
+        """Whether pairs of panels are the two sides of one corner; ``placed`` are the corners of the sources.
 
-        Sides that see each other across a gap are none: the warping jumps from one to the other.
+        Other panels that are close to each other count however near a corner is: across a gap the warping jumps.
         """
         one, two = (
             ends.reshape(-1, 2, 2)[self.owner[panels]] for ends, panels in ((self.corners, targets), (placed, sources))

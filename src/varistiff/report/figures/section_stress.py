@@ -16,6 +16,7 @@ from matplotlib.path import Path
 
 from varistiff.actuators.actuator import Actuator
 from varistiff.actuators.torsion_tube import TorsionTube
+from varistiff.core.errors import InputError
 from varistiff.report.display import display
 from varistiff.report.figures.field import NUMBERS
 from varistiff.report.section_field import SectionField, section_field
@@ -33,7 +34,10 @@ ROUND = ("circle", "hollow_circle")
 
 
 def draw(actuator: Actuator, dataset: xr.Dataset) -> Drawing | None:
-    """Draw the section's stress at the largest ok torque of the map; None for a kind without torsion."""
+    """Draw the section's stress at the largest ok torque of the map.
+
+    None for a kind without torsion, and for a section with too many corners to have its stress point by point.
+    """
     if not isinstance(actuator, TorsionTube):
         return None
     view = View.of(dataset)
@@ -41,7 +45,10 @@ def draw(actuator: Actuator, dataset: xr.Dataset) -> Drawing | None:
     largest = float(torque.max()) if torque.size and torque.max() > 0.0 else 1.0
     section, strength = actuator.section, view.strength
     found = section.properties()
-    field = section_field(section)
+    try:
+        field = section_field(section)
+    except InputError:
+        return None
     top = colour_top(field, found) * largest * MPA
     shown = None if strength is None else strength * MPA
     near = found.torsion_modulus > 0.0 and shown is not None and NEAR[0] < shown / top < NEAR[1]
