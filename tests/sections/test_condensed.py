@@ -16,6 +16,7 @@ from varistiff.sections.panels import place_nodes
 from varistiff.sections.polygon import Polygon, polygon_of_points
 from varistiff.sections.rungs import LOOSE, LOOSEST, QUICK, RUNGS, rung_nodes, settled, stated_error
 from varistiff.sections.saint_venant import solve_torsion
+from varistiff.sections.separation import SEPARATION
 from varistiff.sections.solved import solved_properties
 
 from .oracles import rational
@@ -51,7 +52,12 @@ def square_bore(half: float, x: float, y: float) -> Outline:
     return Outline((circle((0.0, 0.0), 1.0), clockwise))
 
 
+BAR = [(0.0, 0.0), (4.0, 0.0), (4.0, 1.0), (0.0, 1.0)]
 OUTLINES = {
+    "bar with a small hole beside one side": (
+        whole(BAR, [(1.95, 0.05), (2.05, 0.05), (2.05, 0.15), (1.95, 0.15)]),
+        1e-8,
+    ),
     "L": (whole(L_CORNERS), 1e-9),
     "L with a bore": (Outline((lines(L_CORNERS), circle((0.5, 0.5), 0.45, hole=True))), 1e-8),
     "channel": (whole(channel(1.0, 2.0, 0.1)), 1e-7),
@@ -235,6 +241,16 @@ def test_a_narrow_slit_is_settled_on_a_finer_rung() -> None:
         assert abs(fine.torsion_constant / exact - 1.0) < max(stated_error(fine, coarse), LOOSE) or (
             stated_error(fine, coarse) > LOOSEST
         )
+
+
+def test_sides_of_a_slit_are_told_from_each_other() -> None:
+    """At every rung: near the corners of other sides, where little energy is, panels are short beside the slit too."""
+    slit = 0.005
+    boundary = boundary_of(round_slit_tube(slit, 0.8))
+    for rung in RUNGS:
+        order, share = rung.coarse
+        faces = place_nodes(boundary, order=order, tolerance=share).parameters[1::2]
+        assert min(face.size for face in faces) > order * 0.2 / (SEPARATION * slit)
 
 
 def test_a_hole_beside_a_tip() -> None:

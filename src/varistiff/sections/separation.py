@@ -91,8 +91,7 @@ class _Tips(NamedTuple):
         """Panels with samples of shape (panels, m, 2)."""
         owner = np.repeat(np.arange(len(breaks)), [marks.size - 1 for marks in breaks])
         angles = boundary.angles
-        shorter = np.minimum(boundary.lengths[:, None], boundary.lengths[boundary.neighbours])
-        reach = np.minimum(boundary.size * tolerance ** (angles / (2.0 * math.pi)), shorter)
+        reach = boundary.size * tolerance ** (angles / (2.0 * math.pi))
         reach[np.abs(angles - math.pi) < SMOOTH] = 0.0
         corners, _ = boundary.traced([ENDS] * len(boundary.segments))
         away = samples[:, None] - corners.reshape(-1, 2, 2)[owner][:, :, None]
