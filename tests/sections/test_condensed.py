@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from varistiff.core.errors import InputError
 from varistiff.sections.boundary import boundary_of
 from varistiff.sections.condensed import place_condensed
 from varistiff.sections.outline import Arc, Line, Loop, Outline
@@ -193,7 +194,7 @@ def test_symmetric_and_convex_outlines_are_graded() -> None:
 
 
 def test_too_many_corners_are_refused() -> None:
-    with pytest.raises(Exception, match="too many corners"):
+    with pytest.raises(InputError, match="too many corners"):
         polygon_of_points(star(490, 0.97)).properties()
 
 

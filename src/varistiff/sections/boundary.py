@@ -68,8 +68,8 @@ class Boundary(NamedTuple):
     """What every placing of nodes on an outline needs to know of it, for its fundamental segments.
 
     ``starts``, from ``origin``, and ``chords`` [m], shape (n, 2); ``curved`` tells which are not their chords;
-    ``angles`` holds the interior ones at both ends, and ``neighbours`` the numbers of the segments there, shape (n, 2);
-    ``lengths`` [m] shape (n,); what a place costs of J goes with its share of ``size`` [m].
+    ``angles`` holds the interior ones at both ends, shape (n, 2), ``lengths`` [m] shape (n,); what a place costs of J
+    goes with its share of ``size`` [m].
     """
 
     outline: Outline
@@ -79,7 +79,6 @@ class Boundary(NamedTuple):
     chords: Points
     lengths: NDArray[np.float64]
     angles: NDArray[np.float64]
-    neighbours: NDArray[np.int_]
     corners: tuple[Corner, ...]
     origin: Points
     size: float
@@ -123,7 +122,6 @@ def boundary_of(outline: Outline) -> Boundary:
         chords=stops - starts,
         lengths=lengths,
         angles=np.concatenate(angles),
-        neighbours=_neighbouring(outline),
         corners=tuple(corner for corner in corners if corner.is_sharp),
         origin=np.zeros(2),
         size=0.0,
@@ -132,19 +130,6 @@ def boundary_of(outline: Outline) -> Boundary:
         origin = starts.mean(axis=0)
         found = found._replace(starts=starts - origin, origin=origin)
     return found._replace(size=_size(found))
-
-
-def _neighbouring(outline: Outline) -> NDArray[np.int_]:
-    """Numbers of the segments before and after each one; beyond a mirror line lies the segment itself."""
-    found, first = [], 0
-    for piece in outline.pieces:
-        own = first + np.arange(len(piece))
-        before, after = np.roll(own, 1), np.roll(own, -1)
-        if outline.mirror:
-            before[0], after[-1] = own[0], own[-1]
-        found.append(np.stack([before, after], axis=1))
-        first += own.size
-    return np.concatenate(found)
 
 
 def sharp_corners(outline: Outline) -> tuple[Corner, ...]:

@@ -34,7 +34,8 @@ class _Sides:
         self.levels = grading_levels(boundary, tolerance)
         self.start, self.chord = _complex(boundary.starts), _complex(boundary.chords)
         self.way = self.chord / boundary.lengths  # of no use for curves
-        before = boundary.neighbours[:, 0]
+        counts = np.cumsum([len(piece) for piece in boundary.outline.pieces])
+        before = np.concatenate([np.roll(part, 1) for part in np.split(np.arange(counts[-1]), counts[:-1])])
         straight = np.ones(before.size, dtype=bool)
         straight[boundary.curved] = False
         angle = boundary.angles[:, 0]

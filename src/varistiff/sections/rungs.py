@@ -131,7 +131,8 @@ def stated_error(fine: SaintVenant, coarse: SaintVenant) -> float:
 
     J is a sum over the segments of the boundary, whose errors all but cancel, most of all in thin walls. So the
     difference of J tells more than that of the parts, times SAFETY because it may vanish by chance, and in that case
-    the parts tell. More than their sum, twice with condensed corners, is never left.
+    the parts tell. More than their sum, twice with condensed corners, was never found. All this is experience, with
+    some 1500 random sections, and no bound.
     """
     parts = difference(fine, coarse)
     whole = abs((coarse.torsion_constant - fine.torsion_constant) / fine.torsion_constant)
